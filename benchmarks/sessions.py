@@ -32,7 +32,7 @@ from typing import IO, Any
 
 from nctakt import Controller
 from nctakt.base.dataclass import dataclass
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.session.session import Session
 
 LINES = (2_000, 20_000, 200_000, 1_000_000)

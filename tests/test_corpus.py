@@ -98,7 +98,7 @@ def test_each_foreign_program_runs_or_is_refused_for_its_reason(name: str) -> No
 
 
 @pytest.mark.skipif(not _FILES, reason="NCTAKT_CORPUS names no folder")
-def test_each_foreign_program_stands_in_the_table() -> None:
+def test_each_foreign_program_is_in_the_table() -> None:
     """All but the notes about where they come from."""
     programs = [_name(path) for path in _FILES if path.suffix != ".md"]
     assert programs == sorted(OUTCOMES)

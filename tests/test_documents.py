@@ -458,7 +458,7 @@ def test_the_load_file_of_the_documents_is_read() -> None:
 @pytest.mark.nightly
 @pytest.mark.slow
 def test_the_traces_in_the_documents_are_real(tmp_path: Path) -> None:
-    """The lines of both formats stand in the files that the example's run writes."""
+    """The lines of both formats are in the files written by the example's run."""
     csv, jsonl, blocks = fences("docs/traces.md", "")
     for shown, file, words in (
         (csv, tmp_path / "part.csv", ["X.ACS.ACT_POS,V.E.COUNT"]),
@@ -518,7 +518,7 @@ class _Names:
 
 
 def test_the_kinds_of_events_are_those_of_the_code() -> None:
-    """The table of events has each kind that a run can tell, and no other."""
+    """The table of events has each kind that a run can record, and no other."""
     section = text_of("docs/traces.md").split("## Events")[1]
     lines = re.findall(r"^\| (`.+?) \|", section, re.MULTILINE)
     named = [kind for line in lines for kind in re.findall(r"`(\w+)`", line)]
@@ -530,7 +530,7 @@ def test_the_kinds_of_events_are_those_of_the_code() -> None:
     with_choices += (rows.EVENT_USER_VALUE, rows.EVENT_USER_TEXT)
     with_choices += (rows.EVENT_AXIS_ENDED, rows.EVENT_AXIS_CHANGED, rows.EVENT_AXIS_EXCHANGED)
     numbers = (0.0, -1.0, 50900.0, 20824.0)  # an M and an H function, an error and a warning
-    told = {
+    reported = {
         event.kind
         for kind in kinds
         for number in (numbers if kind not in with_choices else (0.0,))
@@ -538,7 +538,7 @@ def test_the_kinds_of_events_are_those_of_the_code() -> None:
             array("d", (0.0, kind, 0.0, 0.0, 1.0, number, 1.0, 0.0)).tobytes()
         )
     }
-    assert sorted(named) == sorted(told)
+    assert sorted(named) == sorted(reported)
 
 
 # --- version -----------------------------------------------------------------------------------

@@ -94,9 +94,9 @@ def test_commands(command: str, capsys: pytest.CaptureFixture[str]) -> None:
                 assert parameter.help == option.help.en
         elif not any(option.option in one.opts for one in found.params):
             assert main([command, option.option, "x"]) == 2
-            told = capsys.readouterr().err
-            assert "error 902380: " in told
-            assert option.option in told
+            reported = capsys.readouterr().err
+            assert "error 902380: " in reported
+            assert option.option in reported
 
 
 @pytest.mark.parametrize("name", DATA_NAMES)

@@ -255,7 +255,7 @@ def test_nothing_is_asserted_in_the_tick(module: str) -> None:
 
 
 @pytest.mark.parametrize("package", ["kernel", "plc", "hli"])
-def test_no_assert_stands_for_a_check(package: str) -> None:
+def test_no_assert_replaces_a_check(package: str) -> None:
     """What comes from outside is checked and refused: ``python -O`` leaves asserts out."""
     found = [
         f"{path.relative_to(PACKAGE)}:{node.lineno}"
@@ -286,7 +286,7 @@ def is_ring_place(node: ast.BinOp) -> bool:
 
 
 @pytest.mark.parametrize("module", [one for one in MODULES if one != "base/arithmetic"])
-def test_delicate_arithmetic_stands_in_one_module(module: str) -> None:
+def test_delicate_arithmetic_is_in_one_module(module: str) -> None:
     """What differs between compiled and plain (``%``, ``**``, ``hypot``) is in ``arithmetic``."""
     found = []
     for owner, function in tick_functions(module):
@@ -301,7 +301,7 @@ def test_delicate_arithmetic_stands_in_one_module(module: str) -> None:
     assert found == []
 
 
-def test_the_compilers_directives_stand_in_one_place() -> None:
+def test_the_compilers_directives_are_in_one_place() -> None:
     """Only ``setup.py`` says how modules are translated, but for those that hold Python objects."""
     saying = {path.parent.name for path in SOURCES if "\n# cython:" in path.read_text("utf-8")}
     assert saying == {"simulation"}
@@ -432,7 +432,7 @@ def imports(path: Path) -> tuple[str, ...]:
 #: The files of a session that pace and show what others decide; none of them makes a result.
 PACING = (
     "session/session.py", "session/process/thread.py", "session/listening.py",
-    "session/process/workshop.py",
+    "session/process/process_pool.py",
     "session/history/past_runs.py",  # whoever asks about the past does so in its own thread
     "session/history/trail.py",  # where ticks are marked to be compared, which changes none of them
     "session/process/worker.py",  # how long a request took, by which slices get their length
@@ -466,8 +466,8 @@ FIXED_DATES = ("results/trace/measurement.py",)
 LENGTHS = ("lists/format/times.py", "base/plain_values.py")
 
 
-def test_nobody_but_the_command_line_reads_a_clock() -> None:
-    """Clocks, chance and threads stand in no module that a run depends on."""
+def test_only_the_command_line_reads_a_clock() -> None:
+    """No module that a run depends on uses clocks, chance or threads."""
     found = [
         f"{path.relative_to(PACKAGE)}: {name}"
         for path in SOURCES
@@ -504,7 +504,7 @@ def is_set(node: ast.expr, names: set[str]) -> bool:
 
 
 @pytest.mark.parametrize("folder", ["kernel", "decoder"])
-def test_nobody_walks_through_a_set(folder: str) -> None:
+def test_no_loop_iterates_over_a_set(folder: str) -> None:
     """The order of a set changes from run to run, so none is walked through."""
     found = []
     for path in sorted((PACKAGE / folder).rglob("*.py")):
@@ -781,7 +781,7 @@ def test_numbers_of_the_queue_have_names() -> None:
         assert set(names) <= assigned, file
 
 
-# --- facts that stand in one place ----------------------------------------------------------------
+# --- facts with a single declaration --------------------------------------------------------------
 
 #: Where the numbers of G and M functions are in ``nc`` and ``decoder``.
 FUNCTION_TABLE = PACKAGE / "nc" / "vocabulary" / "functions.py"
@@ -817,7 +817,7 @@ def function_numbers(tree: ast.Module) -> Iterator[ast.AST]:
 
 
 @pytest.mark.parametrize("folder", ["nc", "decoder"])
-def test_numbers_of_functions_stand_in_one_table(folder: str) -> None:
+def test_numbers_of_functions_are_in_one_table(folder: str) -> None:
     """Ends of programs, modal groups and motions: by their names, from the table of functions."""
     found = [
         f"{path.relative_to(PACKAGE)}: {ast.unparse(node)}"

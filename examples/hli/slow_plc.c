@@ -27,7 +27,7 @@ static void pause_ns(long nanoseconds)
     nanosleep(&pause, NULL);
 }
 
-/* The image as soon as it is there, NULL after ten seconds without. */
+/* Return the image as soon as it exists, NULL after ten seconds. */
 static char *attach(const char *name)
 {
     char path[256];
@@ -51,7 +51,7 @@ static char *attach(const char *name)
     return NULL;
 }
 
-/* One section: show what is new, acknowledge what has waited for 200 ms; whether anything waits. */
+/* Print new functions of a section, acknowledge those older than 200 ms; whether any wait. */
 static bool answer(const hli_unit *units, uint32_t *acknowledged, uint32_t *seen, uint64_t now_us,
                    double x)
 {
@@ -90,7 +90,7 @@ int main(int count, char **words)
     hli_axis *x = (hli_axis *)(image + header->axis_offset);
     uint32_t seen[2][HLI_UNITS] = {{0}};
 
-    link->process = (uint64_t)getpid(); /* so that the CNC notices at once when it ends */
+    link->process = (uint64_t)getpid(); /* so that the CNC notices its end at once */
     command->plc_present_w = 1;
     while (header->ready) {
         uint64_t turn = header->turn;

@@ -6,8 +6,8 @@
  *     nctakt schedule run examples/schedule/rtconf.lis --load examples/schedule/load.toml
  *
  * plc NAME [PRIORITY]: waits up to ten seconds for the semaphore NAME, then works at each wake-up
- * until none comes for a second, and says how many there were. With PRIORITY it uses SCHED_FIFO;
- * `nctakt schedule run --dry-run` says which one fits the list.
+ * until none comes for a second, and prints their number. With PRIORITY it uses SCHED_FIFO;
+ * `nctakt schedule run --dry-run` prints the one that fits the list.
  */
 #define _GNU_SOURCE
 #include <errno.h>
@@ -27,7 +27,7 @@ static struct timespec in_seconds(int seconds)
     return time;
 }
 
-/* The semaphore is made by the run; this program may be there first. */
+/* The run creates the semaphore; this program may start before it. */
 static sem_t *open_semaphore(const char *name)
 {
     const struct timespec pause = {0, 10000000};
@@ -40,7 +40,7 @@ static sem_t *open_semaphore(const char *name)
     return SEM_FAILED;
 }
 
-/* Here stands what the PLC does in one cycle. */
+/* The work of the PLC in one cycle. */
 static void work(unsigned long *sum)
 {
     for (unsigned long i = 0; i < 10000; i++)

@@ -38,7 +38,7 @@ class Named(Point):
 
 @dataclass(slots=True)
 class Counter:
-    """One that can be changed, with work behind its making."""
+    """A mutable one, whose creation takes some work."""
 
     count: int = 0
 

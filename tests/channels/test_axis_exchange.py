@@ -117,7 +117,7 @@ def test_a_path_moves_fetched_axes_together() -> None:
         ("#SET AX [X, 1, 0] [Y, 2, 0]", [901803]),
     ],
 )
-def test_a_wrong_command_is_told_at_its_place(line: str, expected: list[int]) -> None:
+def test_a_wrong_command_is_reported_at_its_place(line: str, expected: list[int]) -> None:
     controller = Controller(MACHINE)
     try:
         found = numbers(run([line], ["G04 0.01"], controller))
@@ -129,7 +129,7 @@ def test_a_wrong_command_is_told_at_its_place(line: str, expected: list[int]) ->
 @pytest.mark.parametrize(
     "line", ["G01 C10 F1000", "G90 X1 C[10]", "P1=V.A.ABS.C", "#PSET C1", "C[OVERRIDE FEED_FACT=5]"]
 )
-def test_an_axis_that_is_not_there_is_told(line: str) -> None:
+def test_an_axis_that_is_not_there_is_reported(line: str) -> None:
     found = run(["#PUT AX [C]", line], ["G04 0.01"])
     assert numbers(found) == [901800]
     (error,) = [one for one in found.diagnostics if one.id == 901800]
@@ -138,7 +138,7 @@ def test_an_axis_that_is_not_there_is_told(line: str) -> None:
     assert error.span.line == 3
 
 
-def test_who_has_the_axis_is_told() -> None:
+def test_who_has_the_axis_is_reported() -> None:
     found = run(["#PUT AX [C]", "#SIGNAL [ID=1 CH=2]", "#WAIT [ID=2 CH=2]", "G01 C1 F1"],
                 ["#WAIT [ID=1 CH=1]", "#CALL AX [C, 5, 1]", "#SIGNAL [ID=2 CH=1]"])  # fmt: skip
     (error,) = [one for one in found.diagnostics if one.id == 901800]
@@ -245,7 +245,7 @@ def test_a_deadlock_of_axes_tells_who_waits_for_whom() -> None:
     assert "Line 3 of one in channel 1 would free it" in str(errors[1])
 
 
-def test_a_deadlock_between_an_axis_and_a_signal_is_told() -> None:
+def test_a_deadlock_between_an_axis_and_a_signal_is_reported() -> None:
     found = run(["#WAIT [ID=1 CH=2]", "#PUT AX [C]"], ["#CALL AX [C, 5, 3]", "#SIGNAL [ID=1 CH=1]"])
     errors = [one for one in found.diagnostics if one.id == 901506]
     assert ["signal 1 of channel 2" in errors[0].headline(), len(errors)] == [True, 2]
@@ -256,7 +256,7 @@ def test_a_deadlock_between_an_axis_and_a_signal_is_told() -> None:
     assert numbers(found) == [901506, 901506]
 
 
-def test_an_axis_that_nobody_gives_is_told_before_the_first_tick() -> None:
+def test_an_axis_that_nobody_gives_is_reported_before_the_first_tick() -> None:
     found = run(["G01 X1 F600"], ["#CALL AX [C, 5, 3]"])
     assert numbers(found) == [901808, 901506]
 

@@ -64,7 +64,7 @@ def test_a_single_program_is_not_judged(tmp_path: Path) -> None:
     assert warnings(checked(tmp_path, two="#WAIT [ID=1 CH=1]\n#CALL AX [C, 5, 3]")) == []
 
 
-def test_names_of_fetched_axes_are_known_behind_the_command(tmp_path: Path) -> None:
+def test_names_of_fetched_axes_are_known_after_the_command(tmp_path: Path) -> None:
     result = checked(tmp_path, two="#CALL AX [W1, 6, 3]\nG01 W1=5 F100\nP1=V.A.ABS.W1")
     assert warnings(result) == []
     other = tmp_path / "other"

@@ -63,7 +63,7 @@ def test_cutting_speeds_exclude_followers(tmp_path: Path) -> None:
     assert numbers(run(*begin, *cutting, "#AX LINK ON [2]", controller=controller)) == []
 
 
-def test_followers_are_told_of_their_limits(tmp_path: Path) -> None:
+def test_followers_are_reported_of_their_limits(tmp_path: Path) -> None:
     """900905 for a slave that cannot turn so fast, as for one that is programmed itself."""
     slow = changed(tmp_path, s12=["getriebe[0].dynamik.vb_max 600000"])
     found = run("#AX LINK [1, S2=S]", "#AX LINK ON [1]", "M3 S500", controller=Controller(slow))

@@ -176,7 +176,7 @@ def test_groups_outlive_programs_and_couplings_do_not() -> None:
     assert path_of(found, "V")[-1] == 2.0
 
 
-def test_a_list_can_keep_couplings_behind_the_end(tmp_path: Path) -> None:
+def test_a_list_can_keep_couplings_after_the_end(tmp_path: Path) -> None:
     """P-CHAN-00105."""
     machine = changed(tmp_path, "synchro_data.preserve_coupling_after_prog_end 1")
     controller = Controller(machine)
@@ -220,7 +220,7 @@ def test_the_way_back_keeps_the_coupling() -> None:
 # --- gantries ------------------------------------------------------------------------------------
 
 
-def test_a_gantry_of_the_lists_follows_for_ever() -> None:
+def test_a_gantry_of_the_lists_follows_forever() -> None:
     """P-AXIS-00070, 00073: also when the axis moves on its own, and when it is homed."""
     program = (
         "G01 Y10 F6000",

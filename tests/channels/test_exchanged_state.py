@@ -114,6 +114,6 @@ def test_systems_and_frames_beside_free_places(lines: list[str], expected: list[
     assert numbers(run(*lines)) == expected
 
 
-def test_corners_are_rounded_behind_an_exchange() -> None:
+def test_corners_are_rounded_after_an_exchange() -> None:
     found = run("#PUT AX [C]", "G261 G01 X10 F6000", "G02 X20 I5 J0", "G01 Y10", "G260")
     assert mistakes(found) == []

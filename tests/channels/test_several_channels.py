@@ -24,7 +24,7 @@ LONG = NcText("long.nc", "%long\nN10 G04 X1\nN20 M30\n")
 
 
 def test_each_channel_moves_its_own_axis() -> None:
-    """Both axes are called X; the names of the signals tell their channel."""
+    """Both axes are called X; the names of the signals include the channel."""
     run = Controller(MACHINE).run(ONE, channels={2: [TWO]})
     assert run.state == "ended"
     assert run.programs == ("one.nc", "two.nc")
@@ -142,7 +142,7 @@ def test_a_channel_that_there_is_not(ask: Callable[[Controller], object]) -> Non
     assert [one.id for one in caught.value.diagnostics] == [900749]
 
 
-def test_mistakes_of_all_channels_are_told_at_once() -> None:
+def test_mistakes_of_all_channels_are_reported_at_once() -> None:
     """Axis Y belongs to no channel: each program is checked for its own channel."""
     wrong = NcText("wrong.nc", "%wrong\nN10 G01 Y5 F600\nN20 M30\n")
     run = Controller(MACHINE).run(wrong, channels={2: [wrong]})
@@ -196,15 +196,15 @@ def test_an_axis_belongs_to_one_channel(tmp_path: Path) -> None:
 def test_the_command_line_runs_a_program_in_each_channel(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """``--channel 2 two.nc``; messages and diagnosis data tell their channel."""
+    """``--channel 2 two.nc``; messages and diagnosis data name their channel."""
     monkeypatch.chdir(tmp_path)
     for program in (ONE, TWO):
         Path(program.name).write_text(program.text, "utf-8")
     words = ["run", "one.nc", "--channel", "2", "two.nc", "--machine", str(MACHINE)]
     assert main([*words, "--diagnosis", "d.txt", "--messages", "m.txt"]) == 0
-    told = capsys.readouterr().out
-    assert "s  CH2  there\n" in told
-    assert "one.nc, two.nc: ended" in told
+    reported = capsys.readouterr().out
+    assert "s  CH2  there\n" in reported
+    assert "one.nc, two.nc: ended" in reported
     assert Path("m.txt").read_text("utf-8").endswith("CH2  there\n")
     titles = [line for line in Path("d.txt").read_text("utf-8").splitlines() if "NO.:" in line]
     assert [title[-1] for title in titles] == ["1", "2"]

@@ -75,7 +75,7 @@ def test_the_limits_of_checker_and_realtime_part_are_the_same() -> None:
         ("#WAIT INDP [Q]", [21220]),
     ],
 )
-def test_mistakes_are_told_with_their_numbers(line: str, expected: list[int]) -> None:
+def test_mistakes_are_reported_with_their_numbers(line: str, expected: list[int]) -> None:
     """Pages 253191563, 253195915, 253204619, 253326475, 254292619, 266560907 of the diagnosis."""
     found = run(["P1 = -1", line], [])
     assert found.state == "error"
@@ -145,7 +145,7 @@ def test_wait_for_reads_again_in_later_ticks() -> None:
     assert [(one.tick, one.text) for one in found.events if one.kind == "message"] == [(5, "on")]
 
 
-def test_a_signal_that_nobody_sends_is_told_before_the_first_tick() -> None:
+def test_a_signal_that_nobody_sends_is_reported_before_the_first_tick() -> None:
     """Numbers that are computed may fit any."""
     assert numbers(run(["#WAIT [ID=1 CH=2]"], ["#SIGNAL [ID=2 CH=1]"])) == [901505, 901506]
     assert numbers(run(["#WAIT [ID=1 CH=2]"], ["P1 = 1", "#SIGNAL [ID=P1 CH=1]"])) == []

@@ -254,10 +254,10 @@ def random_programs(draw: random.Random) -> tuple[list[str], list[str]]:
 def judged(found: Run) -> set[int]:
     """Follow who has the axis, event by event; return the channels that wait at the end."""
     holder, waiting = 1, set()
-    for channel, told in exchanges(found):
-        what = told.split()[1]
+    for channel, reported in exchanges(found):
+        what = reported.split()[1]
         if what == "awaited":
-            assert (holder, told.split()[2]) == (3 - channel, f"CH{holder}")
+            assert (holder, reported.split()[2]) == (3 - channel, f"CH{holder}")
             waiting.add(channel)
         elif what == "given":
             assert holder == channel

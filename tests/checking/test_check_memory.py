@@ -140,7 +140,7 @@ def test_a_keystroke_reads_its_section_only(
 
 
 def test_an_arc_ends_at_a_plain_block_in_a_long_program(machine: AssembledMachine) -> None:
-    """A block whose shape is known ends G02 all the same: no missing centre is told behind it."""
+    """A block of a known shape ends G02 all the same: no missing centre is reported after it."""
     lines = ["G01 X1 Y1 F100", *["X1 Y1"] * MAX_LINES]
     lines += ["G02 X2 Y2 I1 J0", "G01 X3 Y3", "X4 Y4 Z1", "M30"]
     assert not [item for item in check(lines, machine) if "centre" in str(item[2])]

@@ -50,7 +50,7 @@ def numbers(text: str) -> list[tuple[int, int]]:
 def test_a_comment_suppresses_the_numbers_that_it_names(
     comment: str, left: list[tuple[int, int]]
 ) -> None:
-    """Only the finding of the number in its line goes; anything else about a comment is told."""
+    """Only the finding of the number in its line goes; a comment without effect is reported."""
     assert numbers(CYCLE.format(behind=comment)) == left
 
 
@@ -80,7 +80,7 @@ def test_a_text_in_quotes_is_no_comment() -> None:
         (" # nctakt: ignore 900008 another number", [1023, 901182]),
     ],
 )
-def test_in_lists_such_comments_stand_behind_a_hash(
+def test_in_lists_such_comments_follow_a_hash(
     comment: str, left: list[int], tmp_path: Path
 ) -> None:
     """The finding of an entry is taken out, and an unused comment reported, as in programs."""

@@ -126,7 +126,7 @@ def test_errors_are_shown_with_line_caret_and_remedy(check: Check) -> None:
 
 
 def test_findings_beyond_errors_do_not_fail_but_with_strict(check: Check) -> None:
-    """Warnings make exit code 1 only with --strict; a run does not tell them."""
+    """Warnings make exit code 1 only with --strict; a run does not report them."""
     write("frozen.nc", FROZEN)
     assert check("frozen.nc").ids == [900235]
     assert check("frozen.nc").code == 0
@@ -174,7 +174,7 @@ def test_the_set_of_programs_decides_about_global_cycles(check: Check) -> None:
     assert check("define.nc", "delete.nc").ids == []
 
 
-def test_findings_stand_in_one_order(check: Check) -> None:
+def test_findings_have_one_order(check: Check) -> None:
     """By file, line, column and number, however the files are named."""
     for name in ("b.nc", "a.nc", "c/a.nc"):
         write(name, BAD)
@@ -246,7 +246,7 @@ def test_tools_and_offsets_that_a_machine_names_are_checked(check: Check) -> Non
     assert checked.lines[-1].startswith("14 files: ")
 
 
-def test_what_a_machine_cannot_do_without_is_told_with_its_folder(check: Check) -> None:
+def test_what_a_machine_cannot_do_without_is_reported_with_its_folder(check: Check) -> None:
     """A machine without channel lists: the reason, and its start-up list counts as checked."""
     write("mine/hochlauf.lis", "listen ASCII\nkanal_anzahl 1\nEnde\n")
     checked = check("mine")
@@ -290,7 +290,7 @@ def test_the_start_up_list_of_a_folder_stands_for_its_machine(check: Check) -> N
     assert check("mine/hochlauf.lis").ids == check("mine").ids
 
 
-def test_a_list_of_no_known_kind_is_told(check: Check) -> None:
+def test_a_list_of_no_known_kind_is_reported(check: Check) -> None:
     """A note; where nothing else is checked that is exit code 2."""
     write("magazine.lis", "magazine[0].place 5\nEnde\n")
     assert (check("magazine.lis").ids, check("magazine.lis").code) == ([900584], 2)
@@ -343,7 +343,7 @@ def test_a_folder_without_anything_to_check(check: Check) -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="links and rights as POSIX has them")
 def test_links_of_a_folder(check: Check) -> None:
-    """A link to a program is followed, one that leads nowhere is told, one to a folder is not."""
+    """A link to a program is followed, a broken one is reported, one to a folder is not."""
     write("real/part.nc", BAD)
     Path("set").mkdir()
     Path("set/part.nc").symlink_to("../real/part.nc")
@@ -453,7 +453,7 @@ def test_a_named_pipe_in_a_folder_is_left_alone(check: Check) -> None:
     assert check("set").lines[-1].startswith("1 file: 0 errors")
 
 
-def test_an_empty_program_is_told(check: Check) -> None:
+def test_an_empty_program_is_reported(check: Check) -> None:
     """As a run reports it."""
     write("empty.nc", "")
     assert check("empty.nc").ids == [900109]
@@ -609,13 +609,13 @@ def test_a_folder_of_two_channels_is_checked_for_both(check: Check) -> None:
     write("mine/nc/a.nc", "G00 A10\nG200\nM30\n")
     checked = check("mine", "--select", "20797,900200")
     assert checked.found == [("mine/nc/a.nc", 1, 20797), ("mine/nc/a.nc", 2, 900200)]
-    told = [number for number, line in enumerate(checked.lines) if line == "  channel: 2"]
-    assert told == [4]
+    reported = [number for number, line in enumerate(checked.lines) if line == "  channel: 2"]
+    assert reported == [4]
     assert "  Kanal: 2" in check("mine", "--lang", "de").lines
 
 
 def test_formats_name_the_channels(check: Check) -> None:
-    """JSON, SARIF and GitHub tell which channels cannot run a block."""
+    """JSON, SARIF and GitHub name the channels that cannot run a block."""
     two_channels({1: "path[0].dir ./nc", 2: "path[0].dir ./nc"})
     write("mine/nc/a.nc", "G00 A10\nG200\nM30\n")
     words = ("mine/nc/a.nc", "--select", "20797,900200", "--format")
@@ -640,8 +640,8 @@ def test_the_machine_around_a_program_is_found(check: Check, named: str) -> None
     assert 900815 not in [number for _, _, number in check("mine").found]
 
 
-def test_the_nearest_machine_counts_and_its_errors_are_told(check: Check) -> None:
-    """A machine within another one's folder; a list that is missing is told with the program."""
+def test_the_nearest_machine_counts_and_its_errors_are_reported(check: Check) -> None:
+    """A machine within another one's folder; a missing list is reported with the program."""
     shutil.copytree(TWO_CHANNELS, "mine")
     shutil.copytree(DEMO, "mine/inner")
     Path("mine/inner/achs_mds4.lis").unlink()
@@ -650,7 +650,7 @@ def test_the_nearest_machine_counts_and_its_errors_are_told(check: Check) -> Non
 
 
 def test_a_broken_machine_around_a_program(check: Check) -> None:
-    """Its start-up list names no channel list: that is told, and the demo machine takes over."""
+    """Its start-up list names no channel list: that is reported, and the demo machine is used."""
     write("mine/hochlauf.lis", "kanal_anzahl 1\n")
     write("mine/a.nc", "G00 A10\nM30\n")
     checked = check("mine/a.nc")
@@ -670,7 +670,7 @@ def test_a_named_machine_counts_for_all_programs(check: Check) -> None:
 
 
 def test_programs_that_run_with_each_other_one_are_checked(check: Check) -> None:
-    """Those of the channel list: found ones are checked, missing ones told with each program."""
+    """Those of the channel list: existing ones are checked, missing ones reported each time."""
     two_channels({1: "start_init_prog_file begin.nc\nfinal_prog_file gone.nc"})
     write("mine/begin.nc", "G200\nM17\n")
     write("mine/part.nc", "%part\nM30\n")

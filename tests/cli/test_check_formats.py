@@ -37,7 +37,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def told(capsys: pytest.CaptureFixture[str], *words: str, code: int = 1) -> str:
+def reported(capsys: pytest.CaptureFixture[str], *words: str, code: int = 1) -> str:
     """The standard output of a check."""
     assert main(["check", *words]) == code
     return capsys.readouterr().out
@@ -45,7 +45,7 @@ def told(capsys: pytest.CaptureFixture[str], *words: str, code: int = 1) -> str:
 
 def sarif(capsys: pytest.CaptureFixture[str], *words: str, code: int = 1) -> dict[str, Any]:
     """The one run of a SARIF log that keeps the schema of the standard."""
-    log = json.loads(told(capsys, *words, "--format", "sarif", code=code))
+    log = json.loads(reported(capsys, *words, "--format", "sarif", code=code))
     assert faults(log) == []
     (run,) = log["runs"]
     assert isinstance(run, dict)
@@ -58,7 +58,7 @@ def sarif(capsys: pytest.CaptureFixture[str], *words: str, code: int = 1) -> dic
 
 def test_json(capsys: pytest.CaptureFixture[str]) -> None:
     """Files with their kinds, findings with rule, place, text and remedy, counts; no remarks."""
-    document = json.loads(told(capsys, ".", "--format", "json"))
+    document = json.loads(reported(capsys, ".", "--format", "json"))
     assert document["files"] == [
         {"file": "programs, new/part ä.nc", "kind": "program"},
         {"file": "sda_mds1.lis", "kind": "channel"},
@@ -83,7 +83,7 @@ def test_json(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_github(capsys: pytest.CaptureFixture[str]) -> None:
     """A workflow command for each finding, with what would end it early escaped."""
-    lines = told(capsys, ".", "--format", "github").splitlines()
+    lines = reported(capsys, ".", "--format", "github").splitlines()
     assert [line.split(" ")[0] for line in lines] == [
         "::warning",
         "::error",
@@ -124,7 +124,7 @@ def test_sarif(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_the_schema_finds_what_is_wrong(capsys: pytest.CaptureFixture[str]) -> None:
     """It is really asked: a level that there is not, a property that nobody knows."""
-    log = json.loads(told(capsys, ".", "--format", "sarif"))
+    log = json.loads(reported(capsys, ".", "--format", "sarif"))
     log["runs"][0]["results"][0]["level"] = "fatal"
     log["runs"][0]["surprise"] = 1
     assert sorted(fault.split(":")[0] for fault in faults(log)) == [
@@ -196,5 +196,5 @@ def test_an_empty_check_is_valid(capsys: pytest.CaptureFixture[str]) -> None:
     """A check without findings is a log without results, an object without diagnostics."""
     Path("good.nc").write_text("M30\n", encoding="utf-8")
     assert sarif(capsys, "good.nc", code=0)["results"] == []
-    assert json.loads(told(capsys, "good.nc", "--format", "json", code=0))["diagnostics"] == []
-    assert told(capsys, "good.nc", "--format", "github", code=0) == ""
+    assert json.loads(reported(capsys, "good.nc", "--format", "json", code=0))["diagnostics"] == []
+    assert reported(capsys, "good.nc", "--format", "github", code=0) == ""

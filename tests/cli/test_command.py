@@ -127,7 +127,7 @@ def test_diagnosis_data_follow_the_programs_level(language: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "file", "code", "told"),
+    ("words", "file", "code", "reported"),
     [
         ("missing.nc", None, 2, "error 900500: missing.nc does not exist"),
         (".", None, 2, "error 901015: . is a folder; a program is a file"),
@@ -150,11 +150,11 @@ def test_diagnosis_data_follow_the_programs_level(language: str) -> None:
         ("x.nc", ("x.nc", b"#RT CYCLE\nM30\n"), 1, "error 22005"),
     ],
 )
-def test_bad_input_is_told_with_number_and_remedy(
+def test_bad_input_is_reported_with_number_and_remedy(
     words: str,
     file: tuple[str, bytes] | None,
     code: int,
-    told: str,
+    reported: str,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     """Each mistake has its diagnostic and exit code, no traceback of ours, no endless line."""
@@ -162,7 +162,7 @@ def test_bad_input_is_told_with_number_and_remedy(
         Path(file[0]).write_bytes(file[1])
     assert main(["run", *words.split()]) == code
     shown = capsys.readouterr().err
-    assert told in shown
+    assert reported in shown
     assert "remedy: " in shown
     assert "src/nctakt" not in shown.replace("\\", "/")
     assert max(map(len, shown.splitlines())) < 300
@@ -249,7 +249,7 @@ def test_ctrl_c_ends_a_run_with_its_summary_and_trace() -> None:
 
 @pytest.mark.skipif(os.name != "posix", reason="a folder in use cannot be removed there")
 @pytest.mark.parametrize("words", [["check", "."], ["run", "part.nc"], ["study", "plan.toml"]])
-def test_a_working_directory_that_somebody_has_removed_is_told(
+def test_a_working_directory_that_somebody_has_removed_is_reported(
     words: list[str],
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -261,6 +261,6 @@ def test_a_working_directory_that_somebody_has_removed_is_told(
     monkeypatch.chdir(folder)
     folder.rmdir()
     assert main(words) == 2
-    told = capsys.readouterr().err
-    assert "error 902925: " in told
-    assert "900507" not in told
+    reported = capsys.readouterr().err
+    assert "error 902925: " in reported
+    assert "900507" not in reported

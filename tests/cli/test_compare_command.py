@@ -102,7 +102,7 @@ def test_our_own_trace_is_the_run(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.parametrize(
-    ("rises", "falls", "change", "told"),
+    ("rises", "falls", "change", "reported"),
     [
         (1020, 0, ("run", 1.0, 20_000.0), "the run becomes 1 there, the log 20 ms later"),
         (980, 0, ("log", 1.0, 20_000.0), "the log becomes 1 there, the run 20 ms later"),
@@ -115,7 +115,7 @@ def test_what_happens_on_one_side_or_at_another_time(
     rises: int,
     falls: int,
     change: tuple[str, float, float | None] | None,
-    told: str,
+    reported: str,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     """A reaction makes V.E.COUNT 1 in tick 1000: later or earlier in the log, never, or back."""
@@ -129,7 +129,7 @@ def test_what_happens_on_one_side_or_at_another_time(
     Path("count.csv").write_text("time_ms;V.E.COUNT\n" + "\n".join(rows) + "\n", "utf-8")
     words = ["compare", "count.csv", "part.nc", "--offset", "0s", "--tolerance", "0"]
     assert main(words) == (0 if change is None else 1)
-    assert told in capsys.readouterr().out
+    assert reported in capsys.readouterr().out
     assert main([*words, "--format", "json"]) == (0 if change is None else 1)
     (found,) = json.loads(capsys.readouterr().out)["comparison"]["signals"]
     assert found["change"] == (
@@ -154,7 +154,7 @@ def test_columns_without_a_signal_are_named(capsys: pytest.CaptureFixture[str]) 
 
 def test_a_given_drift(capsys: pytest.CaptureFixture[str]) -> None:
     """500 ppm beside each way to say where the run begins; a log of 4 s has none by itself."""
-    for words, told in (
+    for words, reported in (
         (["--offset", "1.2345s"], "1.234500 s after the log's zero, as given; drift"),
         (["--align", "X.ACS.ACT_POS > 10"], "ms); drift"),
         ([], "s after the log's zero, drift"),
@@ -162,8 +162,8 @@ def test_a_given_drift(capsys: pytest.CaptureFixture[str]) -> None:
         command = ["compare", "scope.csv", "part.nc", *words]
         assert main(command) == main([*command, "--drift", "-500"]) == 0
         without, given = capsys.readouterr().out.split("part.nc and scope.csv")[1:]
-        assert f"{told} 0.00 ppm" in without
-        assert f"{told} -500.00 ppm as given" in given
+        assert f"{reported} 0.00 ppm" in without
+        assert f"{reported} -500.00 ppm as given" in given
 
 
 @pytest.mark.parametrize(
@@ -238,7 +238,7 @@ def test_a_delay_in_the_middle_does_not_move_the_beginning(
 def test_gain_and_bias_are_no_delays(
     gain: float, bias: float, step_s: float, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Both are told as what they are, and the log is late nowhere, however fast it is sampled."""
+    """Both are reported as such, and the log is nowhere late, however fast it is sampled."""
     changed_log("scaled.csv", gain=gain, bias=bias, step_s=step_s)
     assert main(["compare", "scaled.csv", "part.nc"]) == 0
     text = capsys.readouterr().out

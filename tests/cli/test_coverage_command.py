@@ -72,7 +72,7 @@ def test_files_of_several_runs_are_merged(folder: Path, capsys: pytest.CaptureFi
     assert [one["bodies"] for one in json.loads(sums[0])["cycles"][0]["branches"]] == [10, 10]
 
 
-def test_too_little_is_told_and_ends_with_1(capsys: pytest.CaptureFixture[str]) -> None:
+def test_too_little_is_reported_and_ends_with_1(capsys: pytest.CaptureFixture[str]) -> None:
     """For a pipeline that shall stop."""
     assert main(["coverage", "part.nc", "--fail-under", "50"]) == 0
     assert main(["coverage", "part.nc", "--fail-under", "50.5", "--lang", "de"]) == 1
@@ -104,7 +104,7 @@ def test_a_changed_program_drops_what_was_known(
         (["part.nc", "--set", "V.E.NONE=1"], 900540),
     ],
 )
-def test_what_cannot_be_used_is_told(
+def test_what_cannot_be_used_is_reported(
     words: list[str], number: int, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Wrong usage, by number, and nothing on standard output."""

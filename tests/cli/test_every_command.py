@@ -58,7 +58,7 @@ def test_each_command_has_a_short_help_option_and_tells_its_exit_codes(
     "words",
     ["--lang de --help", "schedule --help --lang de", "--lang de run --help"],
 )
-def test_help_is_german_wherever_the_language_stands(words: str, capsys: Captured) -> None:
+def test_help_is_german_wherever_the_language_is_given(words: str, capsys: Captured) -> None:
     """``--lang`` before a subcommand counts for the subcommand; values have German names."""
     assert main(words.split()) == 0
     text = capsys.readouterr().out
@@ -139,8 +139,8 @@ def test_a_question_about_a_time_is_no_limit(part: str, capsys: Captured) -> Non
 def test_quiet_leaves_notes_out(command: str, part: str, capsys: Captured) -> None:
     """No warning of a value that came too late, except for ``run``, which keeps warnings."""
     assert main([command, part, "--at", "2h", "V.E.TRIGGER=1", "--quiet"]) == 0
-    told = capsys.readouterr().err
-    assert ("901007" in told) == (command == "run")
+    reported = capsys.readouterr().err
+    assert ("901007" in reported) == (command == "run")
 
 
 def test_a_new_machine_is_written_quietly(tmp_path: Path, capsys: Captured) -> None:
@@ -176,7 +176,7 @@ def test_each_time_takes_the_same_units(words: tuple[str, ...], part: str) -> No
 
 
 @pytest.mark.parametrize("time", ["5 ticks", "fast", "-1ms"])
-def test_a_timer_period_that_is_no_time_is_told(time: str, capsys: Captured) -> None:
+def test_a_timer_period_that_is_no_time_is_reported(time: str, capsys: Captured) -> None:
     """900510; a number of ticks, whose length the period decides, as well."""
     rtconf = Path(__file__).parents[2] / "examples" / "schedule" / "rtconf.lis"
     assert main(["schedule", "show", str(rtconf), "--hal-timer", time]) == 2

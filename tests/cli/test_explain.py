@@ -123,9 +123,9 @@ def test_unknown(capsys: Captured) -> None:
 def test_topics(capsys: Captured) -> None:
     """Without words the topics are listed, each with examples that can be explained."""
     assert main(["explain"]) == 0
-    told = capsys.readouterr().out
+    reported = capsys.readouterr().out
     for topic in TOPICS:
-        assert f"  {topic.word} " in told
+        assert f"  {topic.word} " in reported
         for example in topic.examples:
             assert main(["explain", example.strip("'\"")]) == 0
 
@@ -212,9 +212,9 @@ def test_a_variable_of_another_machine(capsys: Captured, tmp_path: Path) -> None
     """``--machine`` says whose; an unknown one is reported with the nearest (900541, 901006)."""
     assert main(["new", str(tmp_path / "m"), "--quiet"]) == 0
     assert main(["explain", "V.E.CONDITIO", "--machine", str(tmp_path / "m")]) == 2
-    told = capsys.readouterr().err
-    assert "Did you mean V.E.CONDITION?" in told
-    assert "901006" not in told
+    reported = capsys.readouterr().err
+    assert "Did you mean V.E.CONDITION?" in reported
+    assert "901006" not in reported
     assert main(["explain", "V.E.CONDITIO"]) == 2
     assert "901006" in capsys.readouterr().err
 

@@ -45,9 +45,9 @@ def test_what_it_waits_for_is_said_at_once(
     with pytest.raises(PlcError) as caught:
         connect(options(language="de"), name)
     assert caught.value.diagnostics[0].id == 900650
-    told = capsys.readouterr().err
-    assert f"901440: es wird bis zu 0.01 s auf eine SPS am HLI {name} gewartet" in told
-    assert "nctakt.hli.attach" in told
+    reported = capsys.readouterr().err
+    assert f"901440: es wird bis zu 0.01 s auf eine SPS am HLI {name} gewartet" in reported
+    assert "nctakt.hli.attach" in reported
 
 
 def test_who_has_come_is_said(capsys: pytest.CaptureFixture[str]) -> None:
@@ -77,9 +77,9 @@ def test_a_slow_answer_is_said_and_its_end(
     patience = hli_partner._Patience(options(), Controller())
     looks = iter(range(1000))
     assert patience.wait(lambda: next(looks) > 100)
-    told = capsys.readouterr().err
-    assert "901442" in told
-    assert "901443" in told
+    reported = capsys.readouterr().err
+    assert "901442" in reported
+    assert "901443" in reported
     monkeypatch.setattr(hli_partner, "_ANSWERS_S", 0.0)
     assert not hli_partner._Patience(options(quiet=True), Controller()).wait(lambda: False)
     quiet = capsys.readouterr().err

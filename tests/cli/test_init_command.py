@@ -59,7 +59,7 @@ def test_the_first_test_takes_a_program_without_errors(cell: Path) -> None:
 
 
 def test_the_first_test_takes_a_program_that_needs_no_other_channel(cell: Path) -> None:
-    """A program that waits for a signal of another channel stands still alone."""
+    """A program that waits for a signal of another channel never continues alone."""
     waits = "#WAIT [ID1 CH2]\nG01 X1 F6000\nM30\n"
     (cell / "programs" / "b_waits.nc").write_text(waits, "utf-8")
     assert main(["check", "programs/b_waits.nc", "--quiet"]) == 0
@@ -157,7 +157,7 @@ def test_the_next_commands_say_what_they_lack(
 def test_what_is_installed_is_not_installed_again(
     cell: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The commands stand alone where their libraries are there."""
+    """The commands have no hint if their libraries are installed."""
     monkeypatch.setattr("nctakt.cli.init.find_spec", lambda name: "there")
     assert main(["init"]) == 0
     captured = capsys.readouterr().out

@@ -49,9 +49,9 @@ def test_the_folder_is_the_demo_machine(
     """No finding, not even a note; every value is that of the built-in machine."""
     folder = tmp_path / "new" / "machine"
     assert main(["new", str(folder), "--lang", language]) == 0
-    told = capsys.readouterr()
-    assert "15" in told.out
-    assert f"nctakt check {folder}" in told.out
+    reported = capsys.readouterr()
+    assert "15" in reported.out
+    assert f"nctakt check {folder}" in reported.out
     machine = load_machine(folder)
     assert machine.diagnostics == ()
     assert without_files(machine) == without_files(load_machine(None))
@@ -79,7 +79,7 @@ def test_half_a_machine_is_not_left_behind(
     assert [path.name for path in tmp_path.rglob("*")] == ["empty"]
 
 
-def test_each_parameter_is_explained_where_it_first_stands(tmp_path: Path) -> None:
+def test_each_parameter_is_explained_where_it_first_occurs(tmp_path: Path) -> None:
     """Once in each list, in the language that was asked for, with ID and unit."""
     assert main(["new", str(tmp_path / "en")]) == 0
     assert main(["new", str(tmp_path / "de"), "--lang", "de"]) == 0
@@ -114,7 +114,9 @@ def test_an_empty_folder_is_used(tmp_path: Path) -> None:
     assert (tmp_path / "hochlauf.lis").is_file()
 
 
-def test_what_cannot_be_written_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_cannot_be_written_is_reported(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """There is a file where the folder would be: exit code 2 with the system's reason."""
     (tmp_path / "file").write_text("x")
     assert main(["new", str(tmp_path / "file")]) == 2
@@ -126,7 +128,7 @@ def test_what_cannot_be_written_is_told(tmp_path: Path, capsys: pytest.CaptureFi
 
 @pytest.mark.parametrize("language", ["en", "de"])
 def test_the_demo_machine_in_xml(language: str, tmp_path: Path) -> None:
-    """The same machine without a finding, with the meanings behind the elements."""
+    """The same machine without a finding, with the meanings after the elements."""
     folder = tmp_path / "xml"
     assert main(["new", str(folder), "--format", "xml", "--lang", language]) == 0
     machine = load_machine(folder)

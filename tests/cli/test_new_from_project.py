@@ -46,7 +46,7 @@ def test_lists_of_a_project(source: str, tmp_path: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize(
-    ("cycle_time", "told"),
+    ("cycle_time", "reported"),
     [
         ("2000", "Task des Projekts läuft alle 200 µs; hier beträgt der NC-Takt 1000 µs"),
         ("1250", "alle 125 µs"),
@@ -58,7 +58,7 @@ def test_lists_of_a_project(source: str, tmp_path: Path, monkeypatch: pytest.Mon
 )
 def test_the_tick_of_a_project(
     cycle_time: str,
-    told: str,
+    reported: str,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
@@ -68,8 +68,8 @@ def test_the_tick_of_a_project(
     Path("Cell.tsproj").write_text(project(cycle_time), "utf-8")
     assert main(["new", "mill", "--from", "Cell.tsproj", "--lang", "de"]) == 0
     found = capsys.readouterr().err
-    assert ("902954" in found) == bool(told)
-    assert told in found
+    assert ("902954" in found) == bool(reported)
+    assert reported in found
 
 
 @pytest.mark.parametrize(

@@ -117,18 +117,18 @@ def test_a_file_that_is_no_python_has_no_plc(tmp_path: Path) -> None:
 def test_the_diagnostic_shows_the_users_lines_only(tmp_path: Path) -> None:
     """The way to an exception begins in the user's file, not in ours."""
     text = "def make():\n    return 1 / 0\nVALUE = make()\n"
-    told = failure_of(write(tmp_path, text)).diagnostics[0].text()
-    assert "ZeroDivisionError" in told
-    assert "line 3" in told
-    assert "return 1 / 0" in told
-    assert "nctakt/plc.py" not in told.replace("\\", "/")
+    reported = failure_of(write(tmp_path, text)).diagnostics[0].text()
+    assert "ZeroDivisionError" in reported
+    assert "line 3" in reported
+    assert "return 1 / 0" in reported
+    assert "nctakt/plc.py" not in reported.replace("\\", "/")
 
 
 def test_a_syntax_error_shows_its_line(tmp_path: Path) -> None:
     """A file that cannot be compiled says where."""
-    told = failure_of(write(tmp_path, "a = 1\nb = = 2\n")).diagnostics[0].text()
-    assert "line 2" in told
-    assert "b = = 2" in told
+    reported = failure_of(write(tmp_path, "a = 1\nb = = 2\n")).diagnostics[0].text()
+    assert "line 2" in reported
+    assert "b = = 2" in reported
 
 
 def test_an_exception_while_it_runs_names_the_tick(tmp_path: Path) -> None:
@@ -152,7 +152,7 @@ class Plc:
     assert "line 6" in found.text()
 
 
-def test_what_we_refuse_the_plc_is_told_with_its_remedy(tmp_path: Path) -> None:
+def test_what_we_refuse_the_plc_is_reported_with_its_remedy(tmp_path: Path) -> None:
     """A wrong name in the PLC's file shows the user's line and our diagnostic, not our files."""
     text = """
 from nctakt.lists.format.times import read_time

@@ -158,7 +158,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return made
 
 
-def told(folder: Path, lines: list[list[str]]) -> list[tuple[int, str, str]]:
+def reported(folder: Path, lines: list[list[str]]) -> list[tuple[int, str, str]]:
     """Exit code and both outputs of command lines in the folder, which nobody may write now."""
     for path in folder.iterdir():
         path.chmod(0o444)
@@ -196,7 +196,7 @@ def test_what_would_be_written_is_refused(folder: Path) -> None:
     assert len(lines) > 40
     otherwise = [
         (line, code, err)
-        for line, (code, _, err) in zip(lines, told(folder, lines), strict=True)
+        for line, (code, _, err) in zip(lines, reported(folder, lines), strict=True)
         if code != 2 or "Traceback" in err or not any(number in err for number in REFUSED)
     ]
     assert otherwise == []
@@ -215,7 +215,7 @@ def test_what_is_only_read_goes_on(folder: Path, capsys: pytest.CaptureFixture[s
     capsys.readouterr()
     otherwise = [
         (line, own, other)
-        for line, own, other in zip(lines, told(folder, lines), elsewhere, strict=True)
+        for line, own, other in zip(lines, reported(folder, lines), elsewhere, strict=True)
         if own[0] != other or "Traceback" in own[2]
     ]
     assert otherwise == []

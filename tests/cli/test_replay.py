@@ -36,13 +36,13 @@ class Cell:
             hli.acknowledge_all()
 """
 
-Told = Callable[..., tuple[int, str, str]]
+Reported = Callable[..., tuple[int, str, str]]
 
 
 @pytest.fixture
-def told(
+def reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> Told:
+) -> Reported:
     """Run a command beside ``a.nc`` and ``plc.py``; exit code and both outputs."""
     monkeypatch.chdir(tmp_path)
     Path("a.nc").write_text(PROGRAM, "utf-8")
@@ -56,31 +56,31 @@ def told(
     return command
 
 
-def record(told: Told, *words: str) -> tuple[int, str, str]:
+def record(reported: Reported, *words: str) -> tuple[int, str, str]:
     """Record a run with the PLC."""
-    return told(
+    return reported(
         "run", "a.nc", "--plc", "plc.py", "--at", "0.1s", "V.E.VALUE=9", "--record", "run.tape",
         *words,
     )  # fmt: skip
 
 
-def test_a_replay_needs_no_plc(told: Told) -> None:
+def test_a_replay_needs_no_plc(reported: Reported) -> None:
     """The same trace, the same messages and summary, byte for byte; a note says so (901075)."""
-    code, out, _ = record(told, "--trace", "a.csv", "--messages", "a.txt")
+    code, out, _ = record(reported, "--trace", "a.csv", "--messages", "a.txt")
     assert code == 0
     Path("plc.py").unlink()
     words = ("replay", "run.tape", "--trace", "b.csv", "--messages", "b.txt")
-    again = told(*words)
+    again = reported(*words)
     assert again[:2] == (0, out)
     assert "note 901075: " in again[2]
     assert Path("b.csv").read_bytes() == Path("a.csv").read_bytes()
     assert Path("b.txt").read_bytes() == Path("a.txt").read_bytes()
-    assert told("replay", "run.tape", "--quiet")[2] == ""
+    assert reported("replay", "run.tape", "--quiet")[2] == ""
 
 
-def test_all_inputs_stand_on_the_tape(told: Told) -> None:
+def test_all_inputs_are_on_the_tape(reported: Reported) -> None:
     """Head, inputs by tick and source, checksums of events, end with digests."""
-    record(told)
+    record(reported)
     head, *middle, end = map(json.loads, Path("run.tape").read_text("utf-8").splitlines())
     assert (head["tape"], head["has_plc"], head["words"]["programs"]) == (1, True, ["a.nc"])
     assert end["end"] == "ended"
@@ -97,38 +97,38 @@ def test_all_inputs_stand_on_the_tape(told: Told) -> None:
     assert kinds == {"write", "ack"}
 
 
-def test_a_changed_program_is_told(told: Told) -> None:
+def test_a_changed_program_is_reported(reported: Reported) -> None:
     """901073 and nothing runs; --anyway runs it and shows the first difference (901074)."""
-    record(told)
+    record(reported)
     Path("a.nc").write_text(PROGRAM.replace("X10", "X5"), "utf-8")
-    code, out, err = told("replay", "run.tape")
+    code, out, err = reported("replay", "run.tape")
     assert (code, out) == (2, "")
     assert "error 901073: changed since the tape was recorded: a.nc" in err
-    code, out, err = told("replay", "run.tape", "--anyway")
+    code, out, err = reported("replay", "run.tape", "--anyway")
     assert code == 1
     assert "a.nc: ended" in out
     assert "warning 901073: " in err
     assert "warning 901074: the events differ" in err
     Path("a.nc").write_text(f"{PROGRAM}; a remark\n", "utf-8")
-    code, _, err = told("replay", "run.tape", "--anyway")
+    code, _, err = reported("replay", "run.tape", "--anyway")
     assert code == 0
     assert "note 901075: " in err
 
 
-def test_a_program_from_standard_input(told: Told, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_program_from_standard_input(reported: Reported, monkeypatch: pytest.MonkeyPatch) -> None:
     """Its text is on the tape."""
     text = io.TextIOWrapper(io.BytesIO(b'#MSG ["hello"]\nM30\n'))
     monkeypatch.setattr("sys.stdin", text)
-    code, out, _ = told("run", "-", "--record", "run.tape")
+    code, out, _ = reported("run", "-", "--record", "run.tape")
     assert code == 0
-    assert told("replay", "run.tape")[:2] == (0, out)
+    assert reported("replay", "run.tape")[:2] == (0, out)
 
 
-def test_a_plc_that_fails_leaves_a_tape(told: Told) -> None:
+def test_a_plc_that_fails_leaves_a_tape(reported: Reported) -> None:
     """The replay ends in the same tick."""
     Path("plc.py").write_text(f"{PLC}        if hli.tick == 50:\n            1 / 0\n", "utf-8")
-    assert record(told)[0] == 1
-    code, out, err = told("replay", "run.tape")
+    assert record(reported)[0] == 1
+    code, out, err = reported("replay", "run.tape")
     assert code == 0
     assert "51 ticks" in out
     assert "901075" in err
@@ -143,41 +143,41 @@ def with_end(**words: object) -> str:
 
 
 @pytest.mark.parametrize("name", ["/dev/zero", "/etc/hostname", "../secret", "nctakt:../../secret"])
-def test_a_tape_reaches_the_files_of_its_folder_alone(told: Told, name: str) -> None:
+def test_a_tape_reaches_the_files_of_its_folder_alone(reported: Reported, name: str) -> None:
     """902024, and nothing is read or shown; ``--root`` names further folders."""
-    record(told)
+    record(reported)
     Path("run.tape").write_text(with_end(**{name: "0" * 64}), "utf-8")
-    code, out, err = told("replay", "run.tape", "--anyway")
+    code, out, err = reported("replay", "run.tape", "--anyway")
     assert (code, out) == (2, "")
     assert "902024" in err
     assert name in err
     Path("tapes").mkdir()
-    record(told)
+    record(reported)
     Path("run.tape").rename("tapes/run.tape")
-    assert "902024" in told("replay", "tapes/run.tape")[2]
-    assert told("replay", "tapes/run.tape", "--root", ".")[0] == 0
+    assert "902024" in reported("replay", "tapes/run.tape")[2]
+    assert reported("replay", "tapes/run.tape", "--root", ".")[0] == 0
 
 
-def test_a_tape_cannot_make_a_replay_read_for_ever(told: Told) -> None:
+def test_a_tape_cannot_make_a_replay_read_forever(reported: Reported) -> None:
     """A device is not read even where it is admitted, nor a file of another size than stated."""
-    record(told)
+    record(reported)
     Path("run.tape").write_text(with_end(**{"/dev/zero": "0" * 64}), "utf-8")
-    code, _, err = told("replay", "run.tape", "--root", "/")
+    code, _, err = reported("replay", "run.tape", "--root", "/")
     assert (code, "901073" in err) == (2, True)
     os.mkfifo("pipe")
     with Path("sparse").open("wb") as file:
         file.truncate(1 << 40)
     files = {"pipe": "0" * 64, "sparse": f"{'0' * 64} 5"}
-    record(told)
+    record(reported)
     Path("run.tape").write_text(with_end(**files), "utf-8")
-    code, _, err = told("replay", "run.tape")
+    code, _, err = reported("replay", "run.tape")
     assert (code, "901073" in err, "sparse" in err) == (2, True, True)
 
 
 @pytest.mark.parametrize("place", ["files", "words", "texts"])
-def test_a_name_with_the_character_0_is_refused(told: Told, place: str) -> None:
+def test_a_name_with_the_character_0_is_refused(reported: Reported, place: str) -> None:
     """901070: no file has such a name."""
-    record(told)
+    record(reported)
     head, *middle, end = map(json.loads, Path("run.tape").read_text("utf-8").splitlines())
     if place == "files":
         end["files"]["a\0b"] = "0" * 64
@@ -187,7 +187,7 @@ def test_a_name_with_the_character_0_is_refused(told: Told, place: str) -> None:
         head["texts"]["a\0b"] = "M30"
     lines = map(json.dumps, (head, *middle, end))
     Path("run.tape").write_text("\n".join([*lines, ""]), "utf-8")
-    code, _, err = told("replay", "run.tape", "--anyway")
+    code, _, err = reported("replay", "run.tape", "--anyway")
     assert (code, "901070" in err) == (2, True)
 
 
@@ -223,13 +223,13 @@ def with_input(tape: str, values: list[object]) -> str:
     ids=map(str, range(19)),
 )
 def test_a_tape_that_cannot_be_read(
-    told: Told, change: Callable[[str], str], number: int, place: str
+    reported: Reported, change: Callable[[str], str], number: int, place: str
 ) -> None:
     """Cut off, of another version, no tape, garbage in it: an error with its place."""
-    record(told)
+    record(reported)
     tape = Path("run.tape")
     tape.write_text(change(tape.read_text("utf-8")), "utf-8")
-    code, _, err = told("replay", "run.tape")
+    code, _, err = reported("replay", "run.tape")
     assert "Traceback" not in err
     assert "internal error" not in err
     if number == 0:

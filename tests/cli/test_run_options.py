@@ -250,7 +250,7 @@ def test_what_the_controller_refuses_is_wrong_usage(
 
 
 @pytest.mark.usefixtures("part")
-def test_an_error_of_our_own_is_told_shortly(
+def test_an_error_of_our_own_is_reported_shortly(
     asked: Asked, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Exit code 3, one line, and how to get the traceback."""
@@ -271,7 +271,7 @@ def test_an_error_of_our_own_is_told_shortly(
 
 
 @pytest.mark.usefixtures("part")
-def test_an_interrupt_outside_the_run_is_told(
+def test_an_interrupt_outside_the_run_is_reported(
     asked: Asked, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Ctrl-C while nothing runs ends with exit code 1 and without a traceback."""
@@ -329,14 +329,16 @@ def test_ctrl_c_ends_a_run_between_two_ticks(asked: Asked) -> None:
         ("run a.nc b.nc --set X --until soon --plc c.py", [900500, 900500, 900511, 900510, 900500]),
     ],
 )
-def test_unusable_input_is_told_all_at_once(
+def test_unusable_input_is_reported_all_at_once(
     words: str, numbers: list[int], capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Everything that is wrong is reported by number, with a remedy, and the exit code is 2."""
     assert main(words.split()) == 2
     shown = capsys.readouterr().err
-    told = [int(line.split("error ")[1][:6]) for line in shown.splitlines() if "error 9" in line]
-    assert told == numbers
+    reported = [
+        int(line.split("error ")[1][:6]) for line in shown.splitlines() if "error 9" in line
+    ]
+    assert reported == numbers
     assert shown.count("remedy: ") == len(numbers)
 
 
@@ -409,15 +411,15 @@ def test_help_names_all_options(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.usefixtures("part")
-def test_a_machine_around_the_program_is_told(
+def test_a_machine_around_the_program_is_reported(
     asked: Asked, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A program runs on the machine in whose folder it lies, and a note says so (900816)."""
     (tmp_path / "hochlauf.lis").write_text("kanal_anzahl 1\n", encoding="utf-8")
     assert main("run part.nc".split()) == 0
     assert asked.machine == "hochlauf.lis"
-    told = capsys.readouterr().err
-    assert "note 900816: the program runs on the machine of hochlauf.lis" in told
+    reported = capsys.readouterr().err
+    assert "note 900816: the program runs on the machine of hochlauf.lis" in reported
     assert main("run part.nc --machine .".split()) == 0
     assert asked.machine == "."
     assert main("run part.nc --machine demo".split()) == 0

@@ -80,7 +80,7 @@ def test_a_stimulus_has_a_time_and_an_assignment() -> None:
     assert parse_stimulus("1.5ms", "V.E.VALUE=-1") == Stimulus("1.5 ms", "V.E.VALUE", -1.0)
 
 
-def test_a_stimulus_behind_the_end_of_the_run_is_a_warning() -> None:
+def test_a_stimulus_after_the_end_of_the_run_is_a_warning() -> None:
     """901007 with the time that was missed; none where an error has ended the run."""
     program = nctakt.NcText("a.nc", "G04 0.01\nM30\n")
     late = ("1 h", "V.E.TRIGGER", 1)

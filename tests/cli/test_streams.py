@@ -46,7 +46,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def shell(folder: Path, command: str) -> subprocess.CompletedProcess[bytes]:
-    """Run a command line of nctakt, with what the shell does to its streams behind it."""
+    """Run a command line of nctakt, followed by redirections of the shell."""
     line = f"{sys.executable} -m nctakt {command}"
     return subprocess.run(["sh", "-c", line], cwd=folder, capture_output=True, check=False)
 
@@ -54,7 +54,7 @@ def shell(folder: Path, command: str) -> subprocess.CompletedProcess[bytes]:
 @pytest.mark.nightly
 @pytest.mark.skipif(not FULL.exists(), reason="a device of Linux")
 @pytest.mark.parametrize("command", COMMANDS)
-def test_a_full_standard_output_is_told(folder: Path, command: str) -> None:
+def test_a_full_standard_output_is_reported(folder: Path, command: str) -> None:
     """900507 and exit code 2 where there was something to show; no traceback."""
     done = shell(folder, f"{command} > /dev/full")
     assert b"Traceback" not in done.stderr
@@ -75,7 +75,9 @@ def test_closed_streams_change_nothing_else(folder: Path, command: str, streams:
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("streams", ["2>&-", "2>/dev/full", ">/dev/full 2>/dev/full"])
-def test_errors_that_nobody_can_be_told_keep_their_exit_code(folder: Path, streams: str) -> None:
+def test_errors_that_nobody_can_be_reported_keep_their_exit_code(
+    folder: Path, streams: str
+) -> None:
     """1 for a program with mistakes, 2 for words that cannot be used, or a full output."""
     if "full" in streams and not FULL.exists():
         pytest.skip("a device of Linux")

@@ -62,7 +62,7 @@ def test_names_are_divided_outside_brackets(text: str, names: tuple[str, ...]) -
 
 
 @pytest.mark.skipif(os.name != "posix", reason="pipes close in another way there")
-def test_nobody_reading_the_end_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_closed_output_is_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
     """A closed pipe swallows the summary, then and when Python flushes at its end."""
     reading, writing = os.pipe()
     os.close(reading)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Words that the command line does not know: told by number, with a remedy, in both languages."""
+"""Words that the command line does not know: number and remedy, in both languages."""
 
 from __future__ import annotations
 

@@ -151,9 +151,9 @@ def test_without_the_library(
 
     monkeypatch.setattr(builtins, "__import__", refuse)
     assert main(["check", ".", "--watch"]) == 2
-    told = capsys.readouterr().err
-    assert "error 901067: " in told
-    assert 'pip install "watchfiles>=0.21"' in told
+    reported = capsys.readouterr().err
+    assert "error 901067: " in reported
+    assert 'pip install "watchfiles>=0.21"' in reported
 
 
 def test_standard_input_cannot_be_watched(capsys: pytest.CaptureFixture[str]) -> None:

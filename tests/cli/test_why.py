@@ -91,10 +91,10 @@ def test_inputs_in_comments_are_those_of_tests(
     given = "; given: V.E.VALUE = 2; given: V.E.TRIGGER = 1 at 20ms\n"
     (folder / "part.nc").write_text(given + PART, encoding="utf-8")
     assert main([command, "part.nc"]) == 0
-    told = capsys.readouterr().err
-    assert "902930: part.nc gives 2 values in comments" in told
+    reported = capsys.readouterr().err
+    assert "902930: part.nc gives 2 values in comments" in reported
     options = "--set V.E.VALUE=2 --at 0.02s V.E.TRIGGER=1"
-    assert options in told
+    assert options in reported
     assert main([command, "part.nc", *shlex.split(options)]) == 0
     assert "902930" not in capsys.readouterr().err
 
@@ -132,7 +132,7 @@ def test_several_programs_and_a_limit(capsys: pytest.CaptureFixture[str]) -> Non
     assert "realtime cycle  next.nc:1\n  never ran: not defined up to here" in shown
 
 
-def test_an_error_of_the_program_is_told_with_the_report(
+def test_an_error_of_the_program_is_reported_with_the_report(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     """Exit code 1; the report says what the fault kept from running."""
@@ -187,7 +187,7 @@ def test_a_variable_of_the_machine_that_no_plc_writes(
     assert "nctakt run, with --trace FILE --signals V.E.TRIGGER." in shown
 
 
-def test_a_plc_that_fails_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_plc_that_fails_is_reported(capsys: pytest.CaptureFixture[str]) -> None:
     """Exit code 1, as with ``nctakt run``."""
     Path("plc.py").write_text(
         "class P:\n  def cycle(self, hli):\n    getattr(hli, 'no')\n", "utf-8"

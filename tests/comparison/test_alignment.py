@@ -135,9 +135,9 @@ def test_a_given_drift_is_not_searched() -> None:
     """With 40 ppm said, the begin is that of 40 ppm; with 0 said, that of the best fit without."""
     curve = wandering(120.0, 1)
     pairs = [(stepped(curve, 40e-6, 0.0, []), curve)]
-    told, none = align(pairs, 40e-6), align(pairs, 0.0)
-    assert (told.drift, none.drift) == (40e-6, 0.0)
-    assert told.offset_us == pytest.approx(3e6, abs=1.0)
+    reported, none = align(pairs, 40e-6), align(pairs, 0.0)
+    assert (reported.drift, none.drift) == (40e-6, 0.0)
+    assert reported.offset_us == pytest.approx(3e6, abs=1.0)
     assert 3e6 + 1000.0 < none.offset_us < 3e6 + 4000.0  # 40 ppm of 120 s are 4.8 ms at its end
     assert placed(pairs, 3e6, 0.0, 1e-5) == Alignment(3e6, 1e-5)
 
@@ -300,8 +300,8 @@ def test_delays_do_not_depend_on_stretches() -> None:
         )
 
 
-@pytest.mark.parametrize(("moving", "told"), [(4, []), (5, [1000.0])])
-def test_a_block_in_which_little_moves_tells_nothing(moving: int, told: list[float]) -> None:
+@pytest.mark.parametrize(("moving", "reported"), [(4, []), (5, [1000.0])])
+def test_a_block_in_which_little_moves_tells_nothing(moving: int, reported: list[float]) -> None:
     """LG-706: six signals that move for four samples of a dwell are not 24 samples that move."""
     blocks = [Event(tick, 1000 * tick, "block", "", None) for tick in (0, 100)]
     gathered = BlockDelays(blocks, 1000, is_scaled=False)
@@ -310,13 +310,13 @@ def test_a_block_in_which_little_moves_tells_nothing(moving: int, told: list[flo
     for _ in range(6):
         gathered.add(numpy.arange(200) * 1000.0, -slopes * late, slopes, numpy.cumsum(slopes))
         gathered.end_signal()
-    assert [one.jump_us for one in gathered.found()] == pytest.approx(told)
+    assert [one.jump_us for one in gathered.found()] == pytest.approx(reported)
 
 
 @pytest.mark.parametrize("samples", [1, 25])
-@pytest.mark.parametrize(("apart", "told"), [(700.0, [600.0]), (1000.0, [])])
+@pytest.mark.parametrize(("apart", "reported"), [(700.0, [600.0]), (1000.0, [])])
 def test_samples_within_a_tick_say_what_one_says(
-    samples: int, apart: float, told: list[float]
+    samples: int, apart: float, reported: list[float]
 ) -> None:
     """LG-706: 600 µs later and ± ``apart`` from tick to tick, 100 ticks before and after.
 
@@ -331,12 +331,12 @@ def test_samples_within_a_tick_say_what_one_says(
     gathered = BlockDelays(blocks, 1000, is_scaled=False)
     gathered.add(times, -slopes * late, slopes, times)
     gathered.end_signal()
-    assert [one.jump_us for one in gathered.found()] == pytest.approx(told)
+    assert [one.jump_us for one in gathered.found()] == pytest.approx(reported)
 
 
-@pytest.mark.parametrize(("late_us", "told"), [(0.0, []), (900.0, [900.0])])
+@pytest.mark.parametrize(("late_us", "reported"), [(0.0, []), (900.0, [900.0])])
 def test_a_gain_is_no_delay_where_the_speed_follows_the_position(
-    late_us: float, told: list[float]
+    late_us: float, reported: list[float]
 ) -> None:
     """LG-706: 1 % too far, and later from the second block on; both are distinguished.
 
@@ -350,7 +350,7 @@ def test_a_gain_is_no_delay_where_the_speed_follows_the_position(
     gathered = BlockDelays(blocks, 1000, is_scaled=True)
     gathered.add(tick * 1000.0, differences, speed, place)
     gathered.end_signal()
-    assert [one.jump_us for one in gathered.found()] == pytest.approx(told)
+    assert [one.jump_us for one in gathered.found()] == pytest.approx(reported)
 
 
 def test_at_a_constant_speed_a_log_with_a_bias_is_late_nowhere() -> None:

@@ -163,8 +163,8 @@ def test_a_late_function_in_a_long_log_is_no_drift(
     assert found.alignment.offset_us == pytest.approx(1_234_500.0, abs=10.0)
     assert found.alignment.drift * 1e6 == pytest.approx(1e6 * drift, abs=0.2)
     assert (found.alignment.drift == 0.0) == (drift == 0.0)
-    told = [(line + 1, pytest.approx(length_us, abs=30.0))] if length_us else []
-    assert shown(found) == told
+    reported = [(line + 1, pytest.approx(length_us, abs=30.0))] if length_us else []
+    assert shown(found) == reported
 
 
 def test_delays_one_after_another() -> None:

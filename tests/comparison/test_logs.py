@@ -324,16 +324,16 @@ def test_a_late_byte_that_is_no_utf_8(tmp_path: Path) -> None:
     rows = "".join(f"{at},{at}.5\n" for at in range(200_000))
     path.write_bytes(b"t,X\n" + rows.encode() + b"200000,2\xff5\n")
     log = open_log(path, FileAccess())
-    with pytest.raises(Failure) as told:
+    with pytest.raises(Failure) as reported:
         log.read(log.columns)
-    (found,) = told.value.diagnostics
+    (found,) = reported.value.diagnostics
     assert found.id == 902880
     assert found.span is not None
     assert (found.span.line, found.span.column) == (200_002, 9)
 
 
 @pytest.mark.parametrize("length", [30, 100, 300, 800])
-def test_a_damaged_mf4_is_told_and_nothing_else(
+def test_a_damaged_mf4_is_reported_and_nothing_else(
     length: int, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
     """902510, and no complaint of the library's half-made object."""
@@ -346,9 +346,9 @@ def test_a_damaged_mf4_is_told_and_nothing_else(
     measured.close()
     cut = tmp_path / "cut.mf4"
     cut.write_bytes(whole.read_bytes()[:length])
-    with pytest.raises(Failure) as told:
+    with pytest.raises(Failure) as reported:
         open_log(cut, FileAccess())
-    assert [one.id for one in told.value.diagnostics] == [902510]
+    assert [one.id for one in reported.value.diagnostics] == [902510]
     assert capfd.readouterr().err == ""
 
 

@@ -87,7 +87,7 @@ def test_nothing_is_written_without_yes(capsys: pytest.CaptureFixture[str]) -> N
     assert Path("lists/hochlauf.lis").read_bytes() == before
 
 
-def test_what_a_plc_did_is_missing_and_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_a_plc_did_is_missing_and_reported(capsys: pytest.CaptureFixture[str]) -> None:
     """902740: the PLC's override is not in the files, so X differs from the first motion on."""
     cycle = "class Slow:\n    def cycle(self, hli):\n        hli.override_pct = 50\n"
     Path("plc.py").write_text(cycle, "utf-8")

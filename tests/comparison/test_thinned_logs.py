@@ -21,7 +21,7 @@ PAIR = Pair(Signal("X.ACS.ACT_POS", "mm"), LogColumn("a", "", 1, 0), 1.0, 0.0, N
 
 
 @pytest.mark.parametrize(("samples", "kept"), [(200, 200), (202, 101), (1000, 125)])
-def test_samples_that_are_left_out_are_told(samples: int, kept: int) -> None:
+def test_samples_that_are_left_out_are_reported(samples: int, kept: int) -> None:
     """Of 100 to keep: 200 stay; beyond, every other one goes until no more than 200 are left."""
     values = numpy.arange(samples, dtype=numpy.float64)
     curve = Curve(1000.0, values)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Drives the debugger with the client of VS Code: node drive.js PYTHON ADAPTER.py PROGRAM.nc
-// Prints a line for each scenario that has held.
+// Prints a line for each scenario that has passed.
 "use strict";
 
 const assert = require("assert");

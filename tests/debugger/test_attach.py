@@ -121,11 +121,11 @@ def test_a_port_lets_nobody_attach_without_its_token(session: Session) -> None:
     assert not session.is_over
 
 
-def test_messages_are_told_while_the_page_plays_and_the_debugger_pauses_it(
+def test_messages_are_reported_while_the_page_plays_and_the_debugger_pauses_it(
     tmp_path: Path,
 ) -> None:
     """Each once, whoever lets it run; ``pause`` holds what the page has started."""
-    part = tmp_path / "told.nc"
+    part = tmp_path / "reported.nc"
     part.write_text('G04 X0.1\n#MSG ["first"]\nG04 X0.1\n#MSG ["second"]\nG04 X3600\nM30\n')
     with Session(str(part)) as session, DebugClient(session=lambda: session) as client:
         client.ask("initialize")
@@ -135,8 +135,8 @@ def test_messages_are_told_while_the_page_plays_and_the_debugger_pauses_it(
         session.play(20.0)
         client.event("continued")
         for text in ("first", "second"):
-            told = client.event("output", lambda body: body["category"] == "stdout")
-            assert text in told["output"]
+            reported = client.event("output", lambda body: body["category"] == "stdout")
+            assert text in reported["output"]
         client.ask("pause", threadId=1)
         assert client.stopped()["reason"] == "pause"
         assert not session.is_playing

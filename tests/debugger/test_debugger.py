@@ -15,7 +15,7 @@ from nctakt.debugger import report
 from nctakt.debugger.debuggee import Debuggee
 from nctakt.session.engine import Found
 from nctakt.session.history import timeline
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.session.session import Session
 
 pytestmark = pytest.mark.slow
@@ -187,9 +187,9 @@ def test_conditions_hit_counts_and_log_points(client: DebugClient, file: str) ->
     set_at(client, file, {"line": Y10, "logMessage": "count {V.E.COUNT}, {V.E.NOTHING}"}, X30)
     client.ask("continue", threadId=1)
     for count in (1, 2):
-        told = client.event("output", lambda body: "count " in body["output"])
-        assert f"  count {count}, <" in told["output"]
-        assert told["line"] == Y10
+        reported = client.event("output", lambda body: "count " in body["output"])
+        assert f"  count {count}, <" in reported["output"]
+        assert reported["line"] == Y10
     assert client.stopped()["line"] == X30
     (wrong,) = set_at(client, file, {"line": X10, "hitCondition": "often"})
     assert "901231" in wrong["message"]

@@ -218,7 +218,7 @@ def test_a_fault_is_an_exception_with_its_calls(tmp_path: Path) -> None:
         assert (again["reason"], again["line"]) == ("exception", 3)
 
 
-def test_a_file_that_changes_in_the_run_is_told_with_its_place(
+def test_a_file_that_changes_in_the_run_is_reported_with_its_place(
     client: DebugClient, cell: Path, tmp_path: Path
 ) -> None:
     """902969: once for each change, at a stop and where breakpoints are set; not for a touch."""
@@ -226,8 +226,12 @@ def test_a_file_that_changes_in_the_run_is_told_with_its_place(
     assert client.go()["line"] == 14
     cell.write_text(cell.read_text("utf-8").replace("n := n + 1;", "// new\nn := n + 2;"), "utf-8")
     set_lines(client, cell, {"line": 15})
-    told = client.event("output", lambda one: "902969" in one["output"])
-    assert (told["line"], told["source"]["name"], told["category"]) == (14, "cell.st", "console")
+    reported = client.event("output", lambda one: "902969" in one["output"])
+    assert (reported["line"], reported["source"]["name"], reported["category"]) == (
+        14,
+        "cell.st",
+        "console",
+    )
     part = tmp_path / "part.nc"
     part.write_text(part.read_text("utf-8"), "utf-8")
     assert client.go()["line"] == 15

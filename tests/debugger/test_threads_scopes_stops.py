@@ -131,11 +131,11 @@ def test_an_error_of_a_class_stops_with_effect_and_remedy(client: DebugClient) -
     client.ask("setExceptionBreakpoints", filters=["class2"])
     stop = client.go()
     assert (stop["reason"], stop["text"]) == ("exception", "error 20396")
-    told = client.ask("exceptionInfo", threadId=1)
-    assert told["details"]["typeName"] == "Class 2"
-    assert f"part.nc:{DIVISION}:8: error 20396" in told["description"]
-    assert "  remedy: Check the operands first" in told["description"]
-    assert "  effect: the program is aborted" in told["description"]
+    reported = client.ask("exceptionInfo", threadId=1)
+    assert reported["details"]["typeName"] == "Class 2"
+    assert f"part.nc:{DIVISION}:8: error 20396" in reported["description"]
+    assert "  remedy: Check the operands first" in reported["description"]
+    assert "  effect: the program is aborted" in reported["description"]
 
 
 def test_an_error_tells_its_cause(client: DebugClient, tmp_path: Path) -> None:
@@ -146,6 +146,6 @@ def test_an_error_tells_its_cause(client: DebugClient, tmp_path: Path) -> None:
         own.begin(str(path))
         own.ask("configurationDone")
         assert own.stopped()["reason"] == "exception"
-        told = own.ask("exceptionInfo", threadId=1)["description"]
-        assert "  cause: Indices count from 0" in told
+        reported = own.ask("exceptionInfo", threadId=1)["description"]
+        assert "  cause: Indices count from 0" in reported
         own.ask("disconnect")

@@ -91,7 +91,7 @@ def test_a_condition_is_judged_before_the_statement(
     assert (back["reason"], client.console("tick")) == ("breakpoint", tick)
 
 
-def test_backward_a_breakpoint_is_told_as_forward(client: DebugClient, part: Path) -> None:
+def test_backward_a_breakpoint_is_reported_as_forward(client: DebugClient, part: Path) -> None:
     """Its number, and the thread of the realtime cycle in which it has held."""
     set_lines(client, part, {"line": 8}, {"line": 13})
     keys = ("reason", "threadId", "line", "hitBreakpointIds", "text")
@@ -168,7 +168,7 @@ def test_what_has_no_value_says_why(standing: DebugClient, text: str, reason: st
 
 
 @pytest.mark.nightly
-def test_a_run_that_waits_for_the_operator_stands(client: DebugClient) -> None:
+def test_a_run_that_waits_for_the_operator_stops(client: DebugClient) -> None:
     """901925, instead of running to the limit in single block."""
     client.console("set HLI.SINGLE_BLOCK = 1")
     stop = client.go()

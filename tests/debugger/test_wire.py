@@ -85,7 +85,7 @@ def test_what_is_written_is_read() -> None:
         (framed(b" " * (MAX_MESSAGE + 1)), "901221"),
     ],
 )
-def test_what_is_no_message_is_told_and_passed_over(bytes_: bytes, number: str) -> None:
+def test_what_is_no_message_is_reported_and_passed_over(bytes_: bytes, number: str) -> None:
     """On a pipe the next message is found again."""
     reader = MessageReader(io.BytesIO(bytes_ + framed(b'{"seq": 1}')), is_strict=False)
     with pytest.raises(Failure, match=number):
@@ -209,7 +209,7 @@ def test_random_messages_neither_end_nor_hold_the_debugger(
     assert client.ask("threads")["threads"]
 
 
-def test_bytes_that_are_no_messages_are_told(client: DebugClient) -> None:
+def test_bytes_that_are_no_messages_are_reported(client: DebugClient) -> None:
     client.writing.write(b"hello\r\n\r\n")
     assert "901220" in client.event("output")["output"]
     client.send_bytes(b"null")
@@ -350,9 +350,9 @@ def test_an_error_stops_and_explains_itself(client: DebugClient, tmp_path: Path)
     assert client.stopped()["line"] == 0
     stop = client.go()
     assert (stop["reason"], stop["text"]) == ("exception", "user_error 77 2")
-    told = client.ask("exceptionInfo", threadId=1)
-    assert "77" in told["description"]
-    assert told["breakMode"] == "always"
+    reported = client.ask("exceptionInfo", threadId=1)
+    assert "77" in reported["description"]
+    assert reported["breakMode"] == "always"
 
 
 # --- outside of this process ----------------------------------------------------------------------

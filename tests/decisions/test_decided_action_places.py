@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from support.decided import machine, numbers, perform, told
+from support.decided import machine, numbers, perform, reported
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller
@@ -27,7 +27,7 @@ def test_the_limit_of_open_actions_is_exact(count: int, found: list[int]) -> Non
     """RC-408: one below the limit, at it, one above: 51028, the cycle ends, its motions brake."""
     run = commanding(2, *MOVES[:count])
     assert numbers(run) == found
-    assert told(run, "ended") == (["0 ended 1 error"] if found else ["200 ended 1 scope"])
+    assert reported(run, "ended") == (["0 ended 1 error"] if found else ["200 ended 1 scope"])
     assert run.trace is not None
     assert (run.trace["X.ACS.ACT_POS"][-1] == 10) == (not found)
     assert run.trace["Z.ACS.ACT_POS"][-1] == 0

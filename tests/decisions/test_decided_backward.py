@@ -25,7 +25,7 @@ SIGNALS = ("X.ACS.ACT_POS", "Y.ACS.ACT_POS", "BLOCK", "HLI.RETRACE")
 
 
 def with_memory(folder: Path, size: int) -> Path:
-    """The demo machine with so much memory for backward motion."""
+    """The demo machine with this much memory for backward motion."""
     machine = folder / "machine"
     shutil.copytree(Path(nctakt.__file__).parent / "machines" / "demo", machine)
     startup = machine / "hochlauf.lis"
@@ -46,7 +46,7 @@ def perform(
     return run
 
 
-def told(run: Run, *kinds: str) -> list[tuple[int, str]]:
+def reported(run: Run, *kinds: str) -> list[tuple[int, str]]:
     """The events of these kinds, else of the walk."""
     assert run.trace is not None
     return [(one.tick, str(one)) for one in run.trace.events if one.kind in (kinds or "retrace")]
@@ -70,7 +70,7 @@ def test_without_memory_the_path_goes_on_and_the_operator_is_warned(tmp_path: Pa
 
 
 def test_a_program_that_begins_while_backward_is_commanded_waits_and_says_so() -> None:
-    """There is no way behind its first block: 50449 once, then it waits until forward (MO-7)."""
+    """There is nothing before its first block: 50449 once, then it waits until forward (MO-7)."""
     run = perform("N10 G00 X10\nM30", (0, 1.0), (200, 0.0))
     assert run.state == "ended"
     assert numbers(run) == [50449]
@@ -80,7 +80,7 @@ def test_a_program_that_begins_while_backward_is_commanded_waits_and_says_so() -
 
 
 def test_too_little_memory_is_raised_and_said(tmp_path: Path) -> None:
-    """P-STUP-00033 below the least size: warning 50450; how many blocks fit follows and is told."""
+    """P-STUP-00033 below the least size: warning 50450, with the number of blocks that fit."""
     machine = with_memory(tmp_path, 1)
     assert [one.message.id for one in load_machine(machine).diagnostics] == [50450]
     controller = Controller(machine)
@@ -104,8 +104,8 @@ def test_the_oldest_blocks_are_forgotten(tmp_path: Path) -> None:
     blocks = "\n".join(f"N{i} G01 X{i} F6000" for i in range(1, 101))
     run = perform(f"{blocks}\nM30", (703, 1.0), machine=machine)
     assert run.state == "limit"
-    assert told(run)[-1][1] == "retrace start"
-    begun = told(run)[0][0]
+    assert reported(run)[-1][1] == "retrace start"
+    begun = reported(run)[0][0]
     assert at(run, begun, "BLOCK") == 71
     assert at(run, 2999) == 70 - size
 
@@ -135,7 +135,7 @@ def test_dwells_are_passed_over_and_the_one_at_the_front_goes_on() -> None:
         19.998
     )  # the first dwell: ticks 100 … 199, the second from 300 on
     assert at(run, 449) == 10.0
-    assert told(run) == [
+    assert reported(run) == [
         (350, "retrace backward"),
         (450, "retrace forward"),
         (549, "retrace front"),
@@ -147,7 +147,7 @@ def test_a_function_that_waits_is_waited_for_again() -> None:
     """The path goes back while M101 waits for the PLC, and forth again; it is not repeated."""
     plc = 500
     run = perform("G00 X10\nM101\nG00 X20\nM30", (150, 1.0), (300, 0.0), PLC_PRESENT=plc)
-    assert [text for _, text in told(run, "output")] == ["output M 101"]
+    assert [text for _, text in reported(run, "output")] == ["output M 101"]
     assert run.state == "ended"
 
 
@@ -160,11 +160,11 @@ def test_the_history_starts_where_an_axis_was_moved_otherwise() -> None:
     )
     run = perform(text, (450, 1.0))
     assert run.state == "limit"
-    assert told(run)[-1][1] == "retrace start"
+    assert reported(run)[-1][1] == "retrace start"
     assert (at(run, 2999), at(run, 2999, "Y.ACS.ACT_POS")) == (10.0, 5.0)
 
 
-def test_the_walk_stops_in_front_of_a_block_whose_axis_moves_on_its_own() -> None:
+def test_the_walk_stops_before_a_block_whose_axis_moves_on_its_own() -> None:
     """A cycle has an axis of the block before: that block cannot be walked back (MO-13)."""
     text = (
         "N10 G00 Y10\n#RT CYCLE [ID = 1 SCOPE = PROG]\n"
@@ -172,14 +172,14 @@ def test_the_walk_stops_in_front_of_a_block_whose_axis_moves_on_its_own() -> Non
         "N20 G00 X10\nM30"
     )
     run = perform(text, (180, 1.0))
-    assert told(run)[-1][1] == "retrace start"
+    assert reported(run)[-1][1] == "retrace start"
     assert at(run, 1000) == 0.0
     assert at(run, 2999, "BLOCK") == 20
 
 
 @pytest.mark.parametrize("slope", ["", "#SLOPE [TYPE=TRAPEZ]\n"])
 @pytest.mark.parametrize(("x", "found"), [(26.0, []), (20.1, [50766])])
-def test_an_axis_that_is_taken_in_front_of_its_block_does_not_stop_the_walk_in_a_step(
+def test_an_axis_that_is_taken_before_its_block_does_not_stop_the_walk_in_a_step(
     x: float, found: list[int], slope: str
 ) -> None:
     """MO-1, MO-7, MO-13: braking from 100 mm/s takes 1.25 mm, with a limit of the jerk some more.
@@ -205,7 +205,7 @@ def test_an_axis_that_is_taken_in_front_of_its_block_does_not_stop_the_walk_in_a
     if found:
         assert 18.0 < path[-1] < 20.0
     else:
-        assert (path[-1], told(run)[-1][1]) == (20.0, "retrace start")
+        assert (path[-1], reported(run)[-1][1]) == (20.0, "retrace start")
 
 
 def test_an_axis_that_moves_when_the_path_wants_it_again_stops_the_channel() -> None:
@@ -234,10 +234,10 @@ def test_the_history_ends_with_the_program_and_with_a_reset() -> None:
     assert controller.hli.history == 0
 
 
-def test_single_block_stops_the_walk_behind_each_block() -> None:
+def test_single_block_stops_the_walk_after_each_block() -> None:
     """Single block stops between the blocks of the walk as well; START goes on (MO-6)."""
     run = perform("N10 G01 X10 F6000\nN20 X20\nN30 X30\nM30", (250, 1.0), SINGLE_BLOCK=240)
-    paused = told(run, "paused")
+    paused = reported(run, "paused")
     assert [text for _, text in paused] == ["paused line 2"]
     assert at(run, 2999) == 20.0
 
@@ -245,7 +245,7 @@ def test_single_block_stops_the_walk_behind_each_block() -> None:
 def test_reset_error_and_hold_stop_on_the_way_back() -> None:
     """MO-6: feed hold brakes on the path; a reset drops the rest where the axes are at rest."""
     run = perform("N10 G01 X100 F6000\nM30", (500, 1.0), FEED_HOLD=700)
-    begun = told(run)[0][0]
+    begun = reported(run)[0][0]
     held = at(run, 1500)
     assert begun == 525
     assert held == at(run, 2999) > 0.0
@@ -263,7 +263,7 @@ def test_a_program_may_clear_the_history() -> None:
     """``#BACKWARD STORAGE CLEAR`` between two blocks that the path passes: no way back over it."""
     run = perform("N10 G01 X10 F6000\n#BACKWARD STORAGE CLEAR\nN20 X20\nM30", (150, 1.0))
     assert run.state == "limit"
-    assert told(run)[-1][1] == "retrace start"
+    assert reported(run)[-1][1] == "retrace start"
     assert at(run, 149) == pytest.approx(13.75)  # N10 was passed without a stop
     assert at(run, 2999) == 10.0
 
@@ -286,7 +286,9 @@ def test_the_way_around_a_corner_is_no_block_of_its_own(backward: bool, lines: l
 
     run = Controller().run(NcText("p.nc", contour), ticks=20_000, plc=Operator())
     assert run.state == "ended"
-    assert [text for _, text in told(run, "paused")] == [f"paused line {line}" for line in lines]
+    assert [text for _, text in reported(run, "paused")] == [
+        f"paused line {line}" for line in lines
+    ]
 
 
 @pytest.mark.parametrize("ticks", [750, 1300])

@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from support.decided import machine, numbers, perform, told
+from support.decided import machine, numbers, perform, reported
 
 from nctakt.results.run import Run
 from nctakt.run.access.stimuli import Stimulus
@@ -21,7 +21,7 @@ def of_block(program: str, **settings: object) -> tuple[int, int, Run]:
     assert run.errors == (), run.errors
     writes = [event.tick for event in run.events if event.kind == "written" and event.cycle]
     assert writes == list(range(writes[0], writes[-1] + 1))
-    assert told(run, "ended") == [f"{writes[-1] + 1} ended 1 scope"]
+    assert reported(run, "ended") == [f"{writes[-1] + 1} ended 1 scope"]
     return writes[0], writes[-1], run
 
 
@@ -74,7 +74,7 @@ def test_a_spindle_that_is_waited_for_is_the_block() -> None:
     assert (first, last) == (0, reached)
 
 
-def test_blocks_that_take_no_time_are_told() -> None:
+def test_blocks_that_take_no_time_are_reported() -> None:
     """RC-105: they do not use the cycle up; each is a note at its place (901049)."""
     first, last, run = of_block('M100\nV.E.VALUE1 = 7\n#MSG ["here"]\nG04 0.003\nM100')
     assert (first, last) == (0, 2)
@@ -94,7 +94,7 @@ def test_blocks_that_take_no_time_are_told() -> None:
         "X0 M100",
     ],
 )
-def test_a_motion_or_dwell_of_no_tick_is_passed_over_and_told(empty: str) -> None:
+def test_a_motion_or_dwell_of_no_tick_is_passed_over_and_reported(empty: str) -> None:
     """RC-105: a block that stays where the path is, or waits for no time, is not the block."""
     first, last, run = of_block(f"{empty}\nG04 0.003\nG00 X0")
     assert (first, last) == (0, 2)
@@ -124,7 +124,7 @@ def test_a_cycle_that_is_held_meanwhile_leaves_its_block_like_the_others() -> No
     again = CYCLE.replace("+= 1", "+= 10")
     run = perform(f"{CYCLE}M111\n{again}G04 0.002\nM30")
     assert run.errors == ()
-    assert told(run, "written") == [
+    assert reported(run, "written") == [
         "0 written V.E.COUNT 1",
         "1 written V.E.COUNT 11",
         "2 written V.E.COUNT 21",
@@ -135,13 +135,13 @@ def test_managing_cycles_is_no_block_of_theirs() -> None:
     """RC-105: DELETE and its position request take a tick, but the block is the dwell."""
     other = "#RT CYCLE [ID=2]\nV.E.VALUE = 1\n#RT CYCLE END\n"
     run = perform(f"{other}{CYCLE}#RT CYCLE DELETE [ID=2]\nG04 0.003\nM30")
-    counts = [line for line in told(run, "written") if "COUNT" in line]
+    counts = [line for line in reported(run, "written") if "COUNT" in line]
     assert [line.split()[-1] for line in counts] == ["1", "2", "3"]
     assert run.errors == ()
 
 
 @pytest.mark.parametrize("fault", range(1, 11))
-def test_a_block_that_brakes_to_its_end_is_over_behind_a_fault(fault: int) -> None:
+def test_a_block_that_brakes_to_its_end_is_over_after_a_fault(fault: int) -> None:
     """RC-105, RC-505, MO-14: G00 X0.1 takes ten ticks, the last five of which brake.
 
     A fault in the first five stops the path within the block, whose cycle stays. From the sixth on
@@ -155,7 +155,7 @@ def test_a_block_that_brakes_to_its_end_is_over_behind_a_fault(fault: int) -> No
     )
     ended = ["10 ended 1 scope"] if fault > 5 else []
     of_fault = [f"{fault - 1} ended 2 error"]
-    assert told(run, "ended") == sorted(of_fault + ended, key=lambda line: int(line.split()[0]))
+    assert reported(run, "ended") == sorted(of_fault + ended, key=lambda line: int(line.split()[0]))
 
 
 @pytest.mark.parametrize("end", ["M30", "X999999\nM30", "#FLUSH WAIT\nG04 10\nM30"])

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 from support.polylines import Points, apart, way
 from support.random_seeds import MANY
 
@@ -45,7 +45,7 @@ def test_the_state_is_that_of_a_whole_run(how: dict[str, int]) -> None:
     """Positions, offsets, variables, spindles; loops are walked through."""
     run = perform(PROGRAM, **how)
     assert [one.text for one in run.messages] == ["61.000000 35.000000 3.000000"]
-    assert [text.partition(" ")[2] for text in told(run, "spindle")] == ["spindle S M3 500"]
+    assert [text.partition(" ")[2] for text in reported(run, "spindle")] == ["spindle S M3 500"]
     assert numbers(run) == ([901731] if how else [])
 
 
@@ -60,15 +60,15 @@ def test_the_axes_go_straight_to_the_start_of_the_block() -> None:
     assert rows[-1] == (61.0, 35.0)
 
 
-def test_functions_messages_and_cycles_in_front_of_it() -> None:
+def test_functions_messages_and_cycles_before_it() -> None:
     """M and H functions and messages are left out; realtime cycles run, those of a block do not."""
     cycle = "#RT CYCLE [ID={0} SCOPE={1}]\nV.E.COUNT += 1\n#RT CYCLE END\n"
     program = f'M100\n#MSG ["no"]\n{cycle.format(1, "BLOCK")}G04 X1\n#MSG ["yes"]\nM30'
     run = perform(program, from_line=7)
-    assert told(run, "output", "created") == []
+    assert reported(run, "output", "created") == []
     assert [one.text for one in run.messages] == ["yes"]
     program = f"{cycle.format(1, 'PROG')}G04 X1\nG04 X0.01\nM30"
-    assert len(told(perform(program, from_line=5), "created")) == 1
+    assert len(reported(perform(program, from_line=5), "created")) == 1
 
 
 def test_what_it_cannot_pass() -> None:
@@ -87,7 +87,7 @@ def test_a_subprogram_called_in_a_locked_part_is_locked() -> None:
     assert perform(text).state == "ended"
 
 
-def test_a_wrong_start_is_told() -> None:
+def test_a_wrong_start_is_reported() -> None:
     """Types, both places at once."""
     with pytest.raises(Failure, match="901732"):
         Controller().run("x.nc", from_line=1, from_block=1)
@@ -126,7 +126,7 @@ def test_a_debugger_may_begin_there(tmp_path: Path) -> None:
     assert (options.get("from_line"), options.get("from_block")) == (None, 130)
 
 
-def test_measuring_in_front_of_it_is_an_error() -> None:
+def test_measuring_before_it_is_an_error() -> None:
     """50718, for G310 as well; a block that is skipped does not measure."""
     for text in ("G100 X10 F600", "#MEAS MODE [5]\nG310 G01 X10 F600 $GOTO[A]"):
         assert numbers(perform(f"{text}\n[A] X1\nX2\nM30", from_line=text.count("\n") + 3)) == [
@@ -186,7 +186,7 @@ $ENDIF
 """
 
 
-def test_a_defined_block_cycle_can_be_started_behind_the_start_block() -> None:
+def test_a_defined_block_cycle_can_be_started_after_the_start_block() -> None:
     """Manual 2.3.1: DEF defines it for the whole program, each START arms it for one block."""
     text = (
         COUNTING.format(" DEF")
@@ -207,8 +207,8 @@ def test_a_block_cycle_runs_in_its_block_not_on_the_way_to_it(line: int) -> None
     controller = Controller()
     run = perform(text, controller, from_line=line)
     assert controller.read("V.E.COUNT") == 0
-    assert len(told(run, "created")) == (line < 8)
-    assert len(told(run, "ended")) == (line < 8)
+    assert len(reported(run, "created")) == (line < 8)
+    assert len(reported(run, "ended")) == (line < 8)
 
 
 def test_a_cycle_held_before_its_block_is_held_in_it() -> None:
@@ -271,14 +271,14 @@ def test_a_start_within_a_realtime_loop_is_refused_by_name() -> None:
     assert numbers(perform(text, from_line=5)) == [901731]
 
 
-def test_a_value_of_now_in_front_of_it_is_told() -> None:
+def test_a_value_of_now_before_it_is_reported() -> None:
     """901961, once for each place: positions of the axes are not those of the program."""
     text = "G00 X10\n$FOR P2 = 1, 3, 1\nP1 = V.RTA.ACS.ACT_POS.X\n$ENDFOR\nP3 = V.E.COUNT\nX20\nM30"
     assert numbers(perform(text, from_line=6)) == [901961, 901731]
     assert numbers(perform(text, from_line=3)) == [901731]
 
 
-def test_timers_in_front_of_it_run() -> None:
+def test_timers_before_it_run() -> None:
     """RC-401: one that was started before counts from the search on."""
     text = "#TIMER START SYN [ID=1]\nG01 X1 F600\nG04 X0.05\n#TIMER READ SYN [ID=1]\n"
     run = perform(f'{text}#MSG ["%g", V.G.TIMER[1]]\nM30', from_line=3)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 from nctakt.run.controller import Controller, NcText
 
@@ -28,7 +28,7 @@ def test_a_position_of_a_spindle_must_be_finite() -> None:
         set={"V.E.VALUE": 1e200},
     )
     assert numbers(run) == [50879]
-    assert told(run, "spindle") == []
+    assert reported(run, "spindle") == []
 
 
 @pytest.mark.parametrize(
@@ -54,7 +54,7 @@ def test_feed_is_in_the_unit_of_its_axis(unit: str, axis: str, distance: float) 
     assert positions[219] - positions[119] == pytest.approx(distance)
 
 
-def test_the_path_stands_at_a_right_angle() -> None:
+def test_the_path_stops_at_a_right_angle() -> None:
     """MO-3: at 4000 mm/s² a millimetre from rest to rest takes 2·√(1/4000) s, twice."""
     run = perform("G01 F6000 X1\nY1\nM30", signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"])
     assert run.trace is not None
@@ -85,7 +85,7 @@ def test_two_sides_are_compared(operator: str, ticks: list[int], right: str) -> 
         set={"V.E.VALUE": 2},
     )
     assert numbers(run) == []
-    written = [line.split() for line in told(run, "written")]
+    written = [line.split() for line in reported(run, "written")]
     assert [int(words[0]) for words in written if words[2] == "V.E.VALUE1"] == ticks
 
 

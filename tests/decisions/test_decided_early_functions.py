@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 from support.changed_lists import machine_with
-from support.decided import machine, numbers, perform, told
+from support.decided import machine, numbers, perform, reported
 
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.lists.machine.machine import load_machine
@@ -54,7 +54,7 @@ def run_of(functions: list[TechnologyFunction], program: str, **settings: object
 
 def outputs(run: Run) -> list[str]:
     assert numbers(run) == []
-    return told(run, "output")
+    return reported(run, "output")
 
 
 def x_at(run: Run, tick: int) -> float:
@@ -156,7 +156,7 @@ def test_no_function_goes_out_in_a_feed_hold() -> None:
 def test_a_reset_forgets_what_has_not_gone_out() -> None:
     reset = [Stimulus("100 ticks", "HLI.RESET", True)]
     run = run_of(early("MEP_SVS", 25.0), PROGRAM.format(words="M300"), at=reset)
-    assert told(run, "output") == []
+    assert reported(run, "output") == []
 
 
 def test_the_list_gives_the_lead(tmp_path: Path) -> None:

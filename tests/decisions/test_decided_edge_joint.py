@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.access.stimuli import Stimulus
@@ -29,15 +29,15 @@ def test_a_block_that_finds_no_edge_is_an_error() -> None:
     """After the block: 50891, and the function does not go out."""
     run = perform(f"{BLOCK}M30")
     assert numbers(run) == [50891]
-    assert told(run, "output") == []
+    assert reported(run, "output") == []
 
 
-def test_a_joint_behind_the_end_is_that_of_the_end() -> None:
+def test_a_joint_beyond_the_end_is_that_of_the_end() -> None:
     """The residual path is longer than the block: its function goes out at its end."""
     controller = machine(80.0)
     run = perform(f"{BLOCK}G00 X110\nM30", controller, at=PROBE)
     assert run.state == "ended", run.diagnostics
-    assert told(run, "output") == ["1025 output M 116"]
+    assert reported(run, "output") == ["1025 output M 116"]
     assert controller.read("V.RTG.MEAS_DELTA") == 100.0 - 48.75 - 80.0
 
 
@@ -45,10 +45,10 @@ def test_measuring_is_over_with_its_block_and_with_g107() -> None:
     """G108 counts for one block with a function of its type; G107 takes it back."""
     run = perform(f"{BLOCK}G01 X50 M116\nM30", machine(5.0), at=PROBE)
     assert run.state == "ended", run.diagnostics
-    assert len(told(run, "probe")) == 1
+    assert len(reported(run, "probe")) == 1
     run = perform("G108\nG107\nG01 X100 F6000 M116\nM30", at=PROBE)
     assert run.state == "ended"
-    assert told(run, "probe") == []
+    assert reported(run, "probe") == []
 
 
 def test_measuring_across_blocks_is_refused() -> None:
@@ -72,7 +72,7 @@ def test_a_reset_ends_the_measuring() -> None:
     perform(f"{BLOCK}M30", controller, at=[Stimulus("300 ms", "HLI.RESET", 1.0)])
     run = perform("G00 X60\nM30", controller, at=PROBE)
     assert run.state == "ended"
-    assert told(run, "probe") == []
+    assert reported(run, "probe") == []
 
 
 def test_no_edge_is_found_on_the_way_back() -> None:
@@ -82,4 +82,4 @@ def test_no_edge_is_found_on_the_way_back() -> None:
     stimuli = [Stimulus(f"{time} ms", f"HLI.{name}", value) for time, name, value in switched]
     run = perform(f"G00 X-50\n{BLOCK}M30", machine(5.0), at=stimuli)
     assert numbers(run) == [50891]
-    assert told(run, "probe") == []
+    assert reported(run, "probe") == []

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 
-def test_the_other_cycles_have_a_tick_behind_an_error_where_the_path_stands() -> None:
+def test_the_other_cycles_have_a_tick_after_an_error_with_the_path_at_rest() -> None:
     """RC-505, RC-402: the others run from the next tick on; what they start comes to its end.
 
     The error of tick 3 finds the path standing. In tick 4 the cycle, which counts to 5 there, moves
@@ -21,7 +21,7 @@ $ENDIF
 #RT CYCLE END
 """
     run = perform(f"{reacting}#TIME 0.003\n#RT CYCLE HOLD [ID=9]\nM30")
-    assert told(run, "error", "axis") == [
+    assert reported(run, "error", "axis") == [
         "3 error 50858",
         "4 axis Z begun 1",
         "35 axis Z done",
@@ -29,7 +29,7 @@ $ENDIF
     assert (run.state, run.ticks) == ("error", 36)
 
 
-def test_a_quiet_machine_ends_the_run_in_the_tick_behind_the_error() -> None:
+def test_a_quiet_machine_ends_the_run_in_the_tick_after_the_error() -> None:
     """RC-505: an axis without an end is no reason to go on, nor are spindles that turn."""
     moving = "#RT CYCLE [ID=2 SCOPE=PROG]\n$IF ONCE V.RTG.CYCLES.DIAG_LEVEL > 0\n"
     moving += "Z[INDP DIR=POS FEED=600]\nM3 S100\n$ENDIF\n#RT CYCLE END\n"
@@ -46,7 +46,7 @@ def test_a_spindle_that_comes_to_its_position_is_waited_for() -> None:
     assert run.ticks == perform(f"{turning}#TIME 0.003\nM30").ticks > 250
 
 
-def test_after_counts_behind_an_error_too() -> None:
+def test_after_counts_after_an_error_too() -> None:
     """The machine goes on for ``--after`` after the tick that the cycles have had."""
     run = perform("#RT CYCLE HOLD [ID=9]\nM30", after="5 ms")
     assert (run.state, run.ticks, numbers(run)) == ("error", 7, [50858])

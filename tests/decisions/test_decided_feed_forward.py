@@ -86,7 +86,7 @@ def test_on_and_weights_in_one_block_and_anew_with_each_program(tmp_path: Path) 
     assert errors(found, "190") == [1.0, 0.0, 1.0]
 
 
-def test_off_for_ever_is_more_than_on(tmp_path: Path) -> None:
+def test_off_forever_is_more_than_on(tmp_path: Path) -> None:
     """P-AXIS-00256; with P-AXIS-00255 it is reported (110354)."""
     loaded = load_machine(machine(tmp_path, "vorsteuer.global_disable 1\n"))
     assert [one.id for one in loaded.diagnostics if one.severity.name != "NOTE"] == []

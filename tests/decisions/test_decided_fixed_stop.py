@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller
@@ -28,7 +28,7 @@ def test_an_axis_that_finds_no_stop_is_an_error_unless_it_may() -> None:
     assert numbers(run) == [50886]
     run = perform(f"G01 X10 F6000 {ON} ERR_NOT_DETECTED=0]\nG00 X20 X[FIXED_STOP OFF]\nM30")
     assert run.state == "ended"
-    assert told(run, "fixed_stop") == []
+    assert reported(run, "fixed_stop") == []
 
 
 def test_without_monitoring_an_obstacle_only_holds_the_axis() -> None:
@@ -52,7 +52,7 @@ def test_all_monitored_axes_have_to_find_their_stop() -> None:
     """X at 20 alone does not stop the path, Y at 30 after it does."""
     controller = machine(X=20.0, Y=30.0)
     run = perform(f"G01 X80 Y80 F6000 {ON}] Y[FIXED_STOP ON]\nM30", controller)
-    assert [text.split(" ", 1)[1] for text in told(run, "fixed_stop")] == [
+    assert [text.split(" ", 1)[1] for text in reported(run, "fixed_stop")] == [
         "fixed_stop X 20",
         "fixed_stop Y 30",
     ]
@@ -60,11 +60,11 @@ def test_all_monitored_axes_have_to_find_their_stop() -> None:
 
 
 def test_start_and_end_bound_the_part_of_the_way() -> None:
-    """Up to 60 % of the way nothing is monitored, and nothing behind 40 %."""
+    """Up to 60 % of the path nothing is monitored, and nothing after 40 %."""
     late = perform(f"G01 X100 F6000 {ON} START=60]\nM30", machine(X=50.0))
     early = perform(f"G01 X100 F6000 {ON}]\nM30", machine(X=50.0))
-    assert int(told(late, "fixed_stop")[0].split()[0]) - int(
-        told(early, "fixed_stop")[0].split()[0]
+    assert int(reported(late, "fixed_stop")[0].split()[0]) - int(
+        reported(early, "fixed_stop")[0].split()[0]
     ) == pytest.approx(80, abs=1)
     never = perform(f"G01 X100 F6000 {ON} END=40]\nM30", machine(X=50.0))
     assert numbers(never) == [50886]

@@ -39,7 +39,7 @@ def way(run: Run) -> np.ndarray:
 
 
 def ends_at(program: str) -> list[float]:
-    """Where X, Y, Z stand after a program."""
+    """The positions of X, Y, Z after a program."""
     return list(way(done(program))[-1])
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.decided import perform, told
+from support.decided import perform, reported
 from support.geared_machine import machine
 
 from nctakt.base.diagnostics import Severity
@@ -44,7 +44,7 @@ def problems(run: Run) -> list[int]:
 
 def steps(run: Run) -> list[str]:
     """Jobs of the spindle, and M functions, in their order."""
-    lines = [line.split()[1:] for line in told(run, "spindle", "output")]
+    lines = [line.split()[1:] for line in reported(run, "spindle", "output")]
     return ["".join(words[1:]) if words[0] == "output" else " ".join(words) for words in lines]
 
 
@@ -162,7 +162,7 @@ def test_a_step_counts_once_it_is_engaged(manual: Machine) -> None:
     assert problems(run) == []
     assert run.trace is not None
     assert run.trace["S.SPEED"][-1] == 1500.0
-    assert "M 41" in " ".join(told(run, "output"))
+    assert "M 41" in " ".join(reported(run, "output"))
 
 
 def test_functions_beside_g112(manual: Machine) -> None:
@@ -180,8 +180,8 @@ def test_block_search_changes_the_step_at_the_start_block(manual: Machine) -> No
     assert problems(found) == []
     assert found.trace is not None
     assert found.trace["S.SPEED"][-1] == 1500.0
-    assert [line.split()[1:4] for line in told(found, "output")] == [["output", "M", "41"]]
+    assert [line.split()[1:4] for line in reported(found, "output")] == [["output", "M", "41"]]
     with_limits_only = "G112 S2\nG01 X5 F600\nX6\nM30"
     found = perform(with_limits_only, Controller(manual), signals=["S.SPEED"], from_line=3)
     assert problems(found) == []
-    assert told(found, "output") == []
+    assert reported(found, "output") == []

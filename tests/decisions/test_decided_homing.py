@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 from support.insides import machine_of
 
 from nctakt.lists.machine.axis_configuration import AxisHoming
@@ -43,14 +43,14 @@ def test_the_axis_has_its_reference_position_at_the_zero_pulse() -> None:
     text = 'G01 X5 F6000\nG74 X1\n#MSG ["%f %f %d", V.A.ABS.X, V.A.REF.X, V.A.RERF.X]'
     run = perform(f"{text}\nM30", machine(homing))
     assert [one.text for one in run.messages] == ["249.987500 250.000000 1"]
-    assert told(run, "axis")[0].endswith("axis X begun -25.0125")
+    assert reported(run, "axis")[0].endswith("axis X begun -25.0125")
 
 
 def test_the_order_of_the_values_is_that_of_the_axes() -> None:
     """Equal values together, the next ones when these are at rest."""
     slow = AxisHoming(distance=1.0, speed=10.0)
     run = perform("G74 X2 Y1 Z2\nM30", machine(slow, slow, slow))
-    begun = [one.split() for one in told(run, "axis") if "begun" in one]
+    begun = [one.split() for one in reported(run, "axis") if "begun" in one]
     ticks = {axis: int(tick) for tick, _, axis, *_ in begun}
     assert ticks["Y"] + 100 < ticks["X"] == ticks["Z"]
     assert numbers(perform("G74 X0\nM30")) == [901710]
@@ -133,7 +133,7 @@ def test_a_reset_restores_those_of_the_list_for_the_plc() -> None:
 
 
 def test_a_relative_limit_is_added_to_the_limit_in_force() -> None:
-    """The programming manual; the limit manual adds to the list. Told once (901551)."""
+    """The programming manual; the limit manual adds to the list. Reported once (901551)."""
     run = perform('G99 X30\nG91\nG99 X-2\nG99 X-2\n#MSG ["%f", V.A.+SWE.X]\nM30')
     assert [one.text for one in run.messages] == ["26.000000"]
     assert numbers(run) == [901551]

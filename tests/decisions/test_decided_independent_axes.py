@@ -13,7 +13,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc import MC_MoveAbsolute, Plc
@@ -28,7 +28,7 @@ TO_10 = "G90 G01 FEED=6000 POS=10"
 
 def axes(run: Run) -> list[str]:
     """What the axes did, without the number of the tick's event."""
-    return told(run, "axis")
+    return reported(run, "axis")
 
 
 def run_of(*lines: str, **how: Any) -> Run:
@@ -280,7 +280,7 @@ def test_block_search_counts_independent_motions_among_the_positions() -> None:
 # --- SA-9: the path stops before the block --------------------------------------------------------
 
 
-def test_the_path_stands_where_an_independent_motion_begins() -> None:
+def test_the_path_stops_where_an_independent_motion_begins() -> None:
     """As page 208621195 says for OSC: two blocks of 5 mm take 75 ticks each, not 125 together."""
     run = run_of("G01 X5 F6000", f"Z[INDP_ASYN {TO_10}] X10")
     assert axes(run)[0] == "75 axis Z begun 10"

@@ -32,7 +32,7 @@ STORED = (
 
 
 def ends_at(program: str, controller: Controller | None = None) -> list[float]:
-    """Where X, Y, Z and A stand after a program."""
+    """The positions of X, Y, Z and A after a program."""
     run = perform(f"{program}\nM30", controller, signals=SIGNALS)
     assert run.state == "ended", run.diagnostics
     assert run.trace is not None

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from support.decided import left, machine, numbers, perform, told
+from support.decided import left, machine, numbers, perform, reported
 
 from nctakt.run.controller import Controller, NcText
 
@@ -21,7 +21,7 @@ def test_a_definition_without_scope_lives_as_long_as_its_program() -> None:
         "#RT CYCLE [ID=1]\nV.E.COUNT += 1\n#RT CYCLE END\n#TIME 0.003\n#TIME 0.002\nM30",
         after="5 ms",
     )
-    assert told(run, "created", "ended", "end") == [
+    assert reported(run, "created", "ended", "end") == [
         "0 created 1 PROG",
         "5 ended 1 scope",
         "5 end part.nc",
@@ -35,7 +35,7 @@ def test_a_block_cycle_whose_program_ends_first_never_runs() -> None:
     M30 waits one tick, since the cycle was started in its tick (RC-004).
     """
     run = perform(COUNTING.format(scope="BLOCK") + "M30")
-    assert told(run, "started", "notice", "ended", "end") == [
+    assert reported(run, "started", "notice", "ended", "end") == [
         "0 started 1",
         "1 notice 900413",
         "1 ended 1 scope",
@@ -49,7 +49,7 @@ def test_cycles_end_in_the_order_of_their_creation_before_the_program_does() -> 
     """RC-106: at M30 each cycle reports its end, then the program does."""
     other = COUNTING.format(scope="PROG").replace("ID=1", "ID=2")
     run = perform(other + COUNTING.format(scope="PROG") + "#TIME 0.001\nM30")
-    assert told(run, "ended", "end") == ["1 ended 2 scope", "1 ended 1 scope", "1 end part.nc"]
+    assert reported(run, "ended", "end") == ["1 ended 2 scope", "1 ended 1 scope", "1 end part.nc"]
 
 
 def test_hold_and_continue_where_they_change_nothing_are_noticed() -> None:
@@ -60,16 +60,16 @@ def test_hold_and_continue_where_they_change_nothing_are_noticed() -> None:
         + "#RT CYCLE HOLD [ID=1]\n" * 2
         + "M30"
     )
-    assert told(run, "notice", "held") == ["1 notice 900412", "1 held 1", "1 notice 900411"]
+    assert reported(run, "notice", "held") == ["1 notice 900412", "1 held 1", "1 notice 900411"]
     assert run.state == "ended"
     assert numbers(run) == [900412, 900411]
     assert [found.span and found.span.line for found in run.diagnostics] == [6, 8]
 
 
 def test_a_notice_of_a_loop_is_one_diagnostic() -> None:
-    """RC-603, level 2: the events tell each time, the diagnostics each place once."""
+    """RC-603, level 2: an event for each time, a diagnostic for each place."""
     run = perform("$FOR P1 = 1, 4, 1\n#RT CYCLE DELETE [ID=7]\n$ENDFOR\nM30")
-    assert told(run, "notice") == [f"{tick} notice 900410" for tick in range(4)]
+    assert reported(run, "notice") == [f"{tick} notice 900410" for tick in range(4)]
     assert numbers(run) == [900410]
     assert numbers(perform("#RT CYCLE DELETE [ID=7]\nM30", Controller())) == [900410]
 
@@ -77,7 +77,7 @@ def test_a_notice_of_a_loop_is_one_diagnostic() -> None:
 def test_deleting_an_unknown_id_is_harmless() -> None:
     """RC-111: DELETE of an ID that names no cycle is a notice (900410)."""
     run = perform("#RT CYCLE DELETE [ID=7]\nM30")
-    assert told(run) == ["0 notice 900410", "1 end part.nc"]
+    assert reported(run) == ["0 notice 900410", "1 end part.nc"]
     assert run.state == "ended"
     assert numbers(run) == [900410]
 
@@ -88,7 +88,7 @@ def test_abort_action_leaves_the_cycle_running() -> None:
         COUNTING.format(scope="PROG")
         + "#TIME 0.002\n#RT CYCLE ABORT ACTION [ID=1]\n#TIME 0.002\nM30"
     )
-    assert told(run, "aborted") == ["2 aborted 1"]
+    assert reported(run, "aborted") == ["2 aborted 1"]
     assert run.cycles[0].runs == 4
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.access.stimuli import Stimulus
@@ -55,7 +55,7 @@ def test_a_loop_whose_condition_does_not_hold_is_passed_over() -> None:
     """FALSE where the loop is entered: not one pass."""
     run = perform(f"G01 F6000\n{CIRCLE}G00 X5\nM30", signals=SIGNALS)
     assert run.state == "ended"
-    assert told(run, "loop") == ["0 loop skipped"]
+    assert reported(run, "loop") == ["0 loop skipped"]
     assert run.trace is not None
     assert max(run.trace["X.ACS.ACT_POS"]) == 5.0
     assert run.ticks < 100
@@ -78,7 +78,7 @@ def test_a_loop_goes_on_until_its_condition_is_taken_away() -> None:
     [(3500, 4000, 1), (3900, 4000, 1), (4500, 5000, 1), (5200, 6000, 2)],
 )
 @pytest.mark.parametrize("slope", ["", "#SLOPE [TYPE=TRAPEZ]\n"])
-def test_single_block_looks_at_the_condition_behind_each_pass(
+def test_single_block_looks_at_the_condition_after_each_pass(
     slope: str, false_ms: int, left_ms: int, passes: int
 ) -> None:
     """MO-6, RC-306: in single block each pass ends with a stop, so none is entered for nothing.
@@ -101,7 +101,7 @@ def test_single_block_looks_at_the_condition_behind_each_pass(
         ticks=8000,
     )
     assert run.state == "ended", run.diagnostics
-    assert told(run, "loop") == ["2000 loop begun", f"{left_ms} loop left"]
+    assert reported(run, "loop") == ["2000 loop begun", f"{left_ms} loop left"]
     assert run.trace is not None
     assert run.trace["LOOP.COUNT"][-1] == passes
 
@@ -121,7 +121,7 @@ def test_backward_motion_goes_over_the_passes() -> None:
     for name in SIGNALS[:2]:
         assert run.trace[name][-1] == plain.trace[name][-1]
     assert run.trace["LOOP.COUNT"][-1] == 3.0
-    assert [event.split(" ", 1)[1] for event in told(run, "retrace")] == [
+    assert [event.split(" ", 1)[1] for event in reported(run, "retrace")] == [
         "retrace backward",
         "retrace forward",
         "retrace front",

@@ -7,7 +7,7 @@ The demo machine: S1 (5) is the main spindle S, S2 (6) another one, S3 (10) turn
 from __future__ import annotations
 
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 from nctakt.run.controller import Controller
 
@@ -16,7 +16,7 @@ def jobs(program: str) -> list[str]:
     """The jobs of spindles in a program, in their order: name, function, speed."""
     run = perform(f"{program}\nM30", ticks=5000)
     assert run.state == "ended", run.diagnostics
-    lines = [line.split() for line in told(run, "spindle")]
+    lines = [line.split() for line in reported(run, "spindle")]
     return [" ".join(line[2:]) for line in lines]
 
 
@@ -44,7 +44,7 @@ def test_it_is_named_by_its_number_as_well() -> None:
         "#MAIN SPINDLE [3 + 3]\nS70 M3\n"
         '#MSG ["%d %d %d", V.SPDL.LOG_AX_NR.S, V.SPDL_PROG.SPEED.S2, V.SPDL.LOG_AX_NR.S1]\nM30'
     )
-    assert told(run, "message")[0].endswith(" 6 70 5")
+    assert reported(run, "message")[0].endswith(" 6 70 5")
 
 
 def test_feed_per_revolution_follows_the_main_spindle() -> None:
@@ -66,7 +66,7 @@ def test_each_program_begins_with_that_of_the_list() -> None:
     controller = Controller()
     perform("#MAIN SPINDLE [S2]\nM30", controller)
     run = perform("S50 M3\nM30", controller)
-    assert told(run, "spindle")[0].endswith("S M3 50")
+    assert reported(run, "spindle")[0].endswith("S M3 50")
 
 
 @pytest.mark.parametrize(

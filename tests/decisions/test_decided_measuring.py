@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.lists.machine.measuring import AxisMeasuring
@@ -65,7 +65,7 @@ def test_the_signal_latches_the_position_and_drops_the_rest() -> None:
 def test_the_event_says_how_far_the_block_has_come() -> None:
     """``touch`` with the length from the start of the block."""
     run = perform(f"{BLOCK}M30", at=[probe("1 s")])
-    assert told(run, "touch") == ["1000 touch 9.9875"]
+    assert reported(run, "touch") == ["1000 touch 9.9875"]
 
 
 def test_without_a_signal_the_block_ends_at_its_target() -> None:
@@ -77,7 +77,7 @@ def test_without_a_signal_the_block_ends_at_its_target() -> None:
     assert numbers(perform(f"#MEAS MODE [2]\n{BLOCK}M30")) == [901700]
 
 
-def test_type_2_has_a_speed_and_a_way_behind_the_target_of_the_list() -> None:
+def test_type_2_has_the_speed_and_the_travel_beyond_the_target_of_the_list() -> None:
     """206177803: P-AXIS-00215 instead of F, P-AXIS-00114 after the target."""
     slow = AxisMeasuring(takes_part=True, speed=5.0, overtravel=2.0)
     text = "#MEAS MODE [2]\nG100 X10 F600\n"
@@ -148,7 +148,7 @@ def test_simulated_probes(simulated: AxisMeasuring, position: float) -> None:
     assert float(found) == pytest.approx(position, abs=1e-6)
 
 
-def test_simu_offset_lies_in_front_of_the_target() -> None:
+def test_simu_offset_lies_before_the_target() -> None:
     """Only with P-AXIS-00112 = 4."""
     text = f"#MEAS [TYPE=1 SIMU_OFFSET=2.5]\n{BLOCK}"
     assert numbers(perform(f"{text}M30")) == [901707]
@@ -190,7 +190,7 @@ def test_a_reset_ends_the_measuring() -> None:
     controller = machine()
     perform(f"{BLOCK}M30", controller, at=[Stimulus("300 ms", "HLI.RESET", 1.0)])
     run = perform("G01 X60 F600\nM30", controller, at=[probe("500 ms")])
-    assert told(run, "touch") == []
+    assert reported(run, "touch") == []
 
 
 def test_compensation_forbids_measuring() -> None:

@@ -10,7 +10,7 @@ ticks.
 from __future__ import annotations
 
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 from nctakt.results.run import Run
 from nctakt.run.access.stimuli import Stimulus
@@ -146,16 +146,16 @@ def test_delete_ends_the_motion_as_end_action_says(end: str, place: float) -> No
 def test_the_end_of_a_block_ends_the_motion_as_end_action_says(end: str, place: float) -> None:
     """RC-110: the dwell is over after tick 199: the BLOCK cycle ends in tick 200."""
     found = run(sent("G04 0.2", "G04 1", scope="BLOCK", end=end))
-    assert told(found, "ended")[0] == "200 ended 1 scope"
+    assert reported(found, "ended")[0] == "200 ended 1 scope"
     assert z(found, 200) == pytest.approx(69.25 if end == "MOVE_CONT" else 69.248)
     assert last(found) == pytest.approx(place)
 
 
 @pytest.mark.parametrize(("end", "place"), [("MOVE_ABORT", 100.0), ("MOVE_CONT", 400.0)])
-def test_the_run_goes_on_until_motions_that_have_an_end_stand(end: str, place: float) -> None:
+def test_the_run_continues_until_motions_that_have_an_end_stop(end: str, place: float) -> None:
     """RC-006: M30 in tick 200 waits for nothing; the run does, for 125 or for 725 ticks more."""
     found = run(sent("G04 0.2", end=end))
-    assert told(found, "end") == ["200 end part.nc"]
+    assert reported(found, "end") == ["200 end part.nc"]
     assert found.ticks == (325 if end == "MOVE_ABORT" else 925)
     assert last(found) == pytest.approx(place)
 
@@ -169,7 +169,7 @@ def test_a_held_motion_ends_with_its_cycle(end: str, place: float) -> None:
 
 
 def test_a_reset_aborts_the_motions_of_all_cycles_whatever_end_action_says() -> None:
-    """RC-007: until all stands, a GLOBAL cycle's motion with MOVE_CONT too; the cycle lives on."""
+    """RC-007: until all is at rest, even GLOBAL cycles with MOVE_CONT; the cycle stays."""
     controller = Controller()
     program = sent("G04 5", scope="GLOBAL", end="MOVE_CONT")
     controller.start(NcText("part.nc", program))
@@ -211,7 +211,7 @@ def test_a_fault_aborts_the_motions_of_its_cycle_and_no_others() -> None:
         "#RT CYCLE\n$IF ONCE 1 == 1\nM3 S99999\n$ENDIF\n#RT CYCLE END\n#TIME 0.1\nM30",
     ],
 )
-def test_a_speed_beyond_the_axis_list_is_limited_and_told(program: str) -> None:
+def test_a_speed_beyond_the_axis_list_is_limited_and_reported(program: str) -> None:
     """P-AXIS-00212 of the demo machine's spindle: 36000 degrees per second, 6000 1/min."""
     run = perform(program)
     assert run.state == "ended"
@@ -264,4 +264,4 @@ def test_another_value_of_dir_is_a_fault(command: str, value: float) -> None:
     (error,) = found.errors
     assert (error.id, error.span and error.span.line) == (50967, 2)
     assert "DIR must be POS (1), CUR (0) or NEG (-1)" in error.text("en")
-    assert told(found, "axis") == []
+    assert reported(found, "axis") == []

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 from support.run_folders import changed_machine
 
 from nctakt.lists.machine.machine import load_machine
@@ -93,7 +93,7 @@ def test_at_zero_a_job_waits() -> None:
     """It stays open, also a positioning; M5 does not wait."""
     run = run_of("M3 S600", "G04 1", "M5", at={0: 0.0, 400: 100.0})
     assert speed_at(run, 399) == 0.0
-    assert told(run, "spindle_reached") == ["499 spindle_reached S", "1099 spindle_reached S"]
+    assert reported(run, "spindle_reached") == ["499 spindle_reached S", "1099 spindle_reached S"]
     run = run_of("M3 S600", "G04 1", "M19 S.POS=90", "G04 1", at={1100: 0.0, 1500: 100.0})
     assert run.trace is not None
     position = np.asarray(run.trace["S.POSITION"])
@@ -104,7 +104,7 @@ def test_at_zero_a_job_waits() -> None:
 def test_a_positioning_is_slower() -> None:
     """287497867: the speed of endless jobs and of positioning."""
     ends = [
-        int(told(run_of("M19 S.POS=180 S60", at={0: pct}), "spindle_reached")[0].split()[0])
+        int(reported(run_of("M19 S.POS=180 S60", at={0: pct}), "spindle_reached")[0].split()[0])
         for pct in (100.0, 50.0)
     ]
     assert 1.8 * ends[0] < ends[1] < 2.2 * ends[0]

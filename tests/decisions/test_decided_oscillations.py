@@ -13,7 +13,7 @@ from random import Random
 
 import pytest
 from support.axis_plans import FASTEST, Plan
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 from support.random_seeds import each_seed
 
 from nctakt.plc import MC_MoveAbsolute, Plc
@@ -35,7 +35,7 @@ def run_of(*lines: str, **how: object) -> Run:
 
 def axes(run: Run) -> list[str]:
     """What the axes did."""
-    return told(run, "axis")
+    return reported(run, "axis")
 
 
 def places(run: Run) -> list[float]:
@@ -158,7 +158,7 @@ def test_an_oscillation_ends_at_its_second_position() -> None:
     assert end(run) == 225 + 125
 
 
-def test_off_where_the_axis_stands_at_its_second_position() -> None:
+def test_off_with_the_axis_at_its_second_position() -> None:
     """While it waits there (ticks 200 to 299) it is done at once."""
     on = f"Z[OSC ON {BETWEEN} FEED=6000 2ND_DELT=0.1]"
     assert axes(run_of(on, "G01 X20 F6000", "Z[OSC OFF]"))[1:] == ["225 axis Z done"]

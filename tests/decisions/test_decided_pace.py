@@ -63,7 +63,7 @@ def test_feed_per_revolution_needs_a_spindle_that_turns(spindle: str) -> None:
     assert numbers(perform(f"{spindle}G95 F1 G01 X10\nM30")) == [22044]
 
 
-def test_the_path_stands_while_the_spindle_does() -> None:
+def test_the_path_stops_while_the_spindle_does() -> None:
     """A realtime cycle stops the spindle after 5 mm; the path brakes with it."""
     run = perform(
         "M3 S600\nG04 X1\n"
@@ -187,7 +187,7 @@ def test_a_share_of_the_highest_feed_leads_one_axis_to_its_share(
     assert at(run, tick, "PATH.SPEED") == pytest.approx(speed)
 
 
-def test_behind_g194_the_feed_of_before_counts_again() -> None:
+def test_after_g194_the_feed_of_before_counts_again() -> None:
     """Each kind of F has its own value (MO-17)."""
     run = moved("G94 F6000\nG194 F20\nG94 G01 X200")
     assert at(run, 1000, "PATH.SPEED") == pytest.approx(100.0)

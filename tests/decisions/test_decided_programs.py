@@ -10,7 +10,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from support.decided import machine, numbers, perform, told
+from support.decided import machine, numbers, perform, reported
 
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plcs.plc_view import PlcView
@@ -18,13 +18,13 @@ from nctakt.run.realtime.realtime_part import INSTRUCTION_COST_NS
 
 
 def test_a_program_with_a_static_mistake_does_not_begin() -> None:
-    """All programs of a run are read and checked before its first tick; all mistakes are told."""
+    """All programs of a run are checked before its first tick; all mistakes are reported."""
     good, bad = NcText("good.nc", "G00 X1\nM30"), NcText("bad.nc", "G66\nV.E.NONE = 1\nM30")
     run = Controller().run(good, bad)
     assert (run.state, run.ticks, numbers(run)) == ("error", 0, [900200, 20196, 901006])
 
 
-def test_a_mistake_that_only_values_show_stops_behind_what_is_prepared() -> None:
+def test_a_mistake_that_only_values_show_stops_after_what_is_prepared() -> None:
     """Class 2: the motion before it is finished, then the channel is in error state."""
     controller = Controller()
     run = perform("P1 = 0\nG00 X5\nP2 = 1 / P1\nG00 X9\nM30", controller)
@@ -38,7 +38,7 @@ def test_wrong_arguments_of_functions_have_the_controllers_number() -> None:
     assert numbers(perform("P1 = EXP[P2 + 1000]\nM30")) == [21739]
 
 
-def test_an_accepted_word_is_told_once() -> None:
+def test_an_accepted_word_is_reported_once() -> None:
     """900201 is one note for each word and program, however often it is there."""
     assert numbers(perform("G165\nG94 G164\nG165\nM30")) == [900201, 900201]
 
@@ -95,7 +95,7 @@ def test_functions_of_the_program_wait_as_their_synchronisation_says() -> None:
         run = perform(f"G00 X1 {function}\nM30", plc=_Late(10))
         number = function.removeprefix("M")
         outputs = [] if output is None else [f"{output} output M {number}"]
-        assert told(run) == [*outputs, f"{end} end part.nc"], function
+        assert reported(run) == [*outputs, f"{end} end part.nc"], function
 
 
 class _Deaf:
@@ -110,7 +110,7 @@ def test_the_realtime_section_has_20_slots_and_never_waits() -> None:
     one = "#RT CYCLE [ID=1 SCOPE=PROG]\nM100\n#RT CYCLE END\n#TIME 1\nM30"
     run = perform(one, plc=_Deaf())
     assert numbers(run) == [50942]
-    assert told(run, "error") == ["20 error 50942"]
+    assert reported(run, "error") == ["20 error 50942"]
     many = "#RT CYCLE [ID=1 SCOPE=PROG]\n" + "M100\n" * 21 + "#RT CYCLE END\nM30"
     assert numbers(perform(many)) == [50943]
     assert numbers(perform(many.replace("M100\n", "", 1))) == []
@@ -119,11 +119,11 @@ def test_the_realtime_section_has_20_slots_and_never_waits() -> None:
 def test_the_programs_functions_wait_for_a_slot() -> None:
     """20 functions are in the section; the 21st is put out when the PLC has taken one."""
     run = perform("M100\n" * 21 + "M30", plc=_Late(5))
-    assert told(run, "output").count("0 output M 100") == 20
-    assert told(run)[-2:] == ["6 output M 100", "6 end part.nc"]
+    assert reported(run, "output").count("0 output M 100") == 20
+    assert reported(run)[-2:] == ["6 output M 100", "6 end part.nc"]
 
 
-def test_a_slot_is_free_in_the_tick_behind_the_acknowledgement() -> None:
+def test_a_slot_is_free_in_the_tick_after_the_acknowledgement() -> None:
     """RC-403: 20 functions in each tick go on forever with the default PLC."""
     body = "M100\n" * 20
     run = perform(f"#RT CYCLE [SCOPE=PROG]\n{body}#RT CYCLE END\n#TIME 0.01\nM30")
@@ -147,7 +147,7 @@ def test_the_limit_of_instructions_is_exact() -> None:
     two = body(2).replace("M30", "").replace("#TIME 0.001\n", "")
     both = two + body(2).replace("ID=1", "ID=2")
     run = perform(both, Controller(limited))
-    assert told(run, "error", "ended") == ["0 error 50854", "0 ended 2 error"]
+    assert reported(run, "error", "ended") == ["0 error 50854", "0 ended 2 error"]
 
 
 def test_the_limit_of_time_counts_ten_nanoseconds_each() -> None:
@@ -200,7 +200,7 @@ def test_a_run_that_is_cut_into_ticks_is_the_same_run() -> None:
     names = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "V.E.VALUE", "V.E.COUNT", "BLOCK"]
     whole, cut = perform(LOOP, signals=names), perform(LOOP, signals=names, plc=_Prompt())
     assert whole.state == "ended"
-    assert told(whole) == told(cut)
+    assert reported(whole) == reported(cut)
     assert whole.trace is not None
     assert cut.trace is not None
     assert all((whole.trace[name] == cut.trace[name]).all() for name in names)
@@ -236,8 +236,8 @@ def test_compiled_and_plain_give_the_same_bytes(tmp_path: Path) -> None:
 def test_flush_continue_has_no_effect_on_the_queue() -> None:
     """It asks for no stop: M30 is taken in tick 32, after ``#FLUSH`` in tick 33."""
     motion = "G00 X1\n{flush}\nM30"
-    assert told(perform(motion.format(flush="#FLUSH CONTINUE"))) == ["32 end part.nc"]
-    assert told(perform(motion.format(flush="#FLUSH"))) == ["33 end part.nc"]
+    assert reported(perform(motion.format(flush="#FLUSH CONTINUE"))) == ["32 end part.nc"]
+    assert reported(perform(motion.format(flush="#FLUSH"))) == ["33 end part.nc"]
 
 
 def test_numbers_have_no_exponents() -> None:
@@ -247,7 +247,7 @@ def test_numbers_have_no_exponents() -> None:
 
 def test_a_hash_command_may_go_on_in_the_next_line() -> None:
     r"""``\`` at the end of a line continues ``#`` commands as well."""
-    assert told(perform("#TIME \\\n  0.003\nM30")) == ["3 end part.nc"]
+    assert reported(perform("#TIME \\\n  0.003\nM30")) == ["3 end part.nc"]
 
 
 # --- neutral statements ----------------------------------------------------------------

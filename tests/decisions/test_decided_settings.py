@@ -17,7 +17,7 @@ SIMPLIFIED = 901551
 
 
 def numbers(text: str, machine: Path | None = None) -> list[int]:
-    """The numbers of what is told of a program."""
+    """The numbers of the messages about a program."""
     controller = Controller(machine) if machine else Controller()
     return [
         found.id for found in controller.run(NcText("p.nc", f"{text}\nM30"), signals=[]).diagnostics
@@ -25,7 +25,7 @@ def numbers(text: str, machine: Path | None = None) -> list[int]:
 
 
 @pytest.mark.parametrize(
-    ("command", "told"),
+    ("command", "reported"),
     [
         ("#LAH [SMOOTH_PATH_VEL=0]", [ACCEPTED]),
         ("#LAH [SMOOTH_PATH_VEL=0 PROD_FACT=90]", [ACCEPTED]),
@@ -56,9 +56,9 @@ def numbers(text: str, machine: Path | None = None) -> list[int]:
         ("#OPTIONAL EXECUTION", [NO_FORM]),
     ],
 )
-def test_what_changes_nothing_is_accepted(command: str, told: list[int]) -> None:
+def test_what_changes_nothing_is_accepted(command: str, reported: list[int]) -> None:
     """929628939, 552704267, 207486091, 987835915, 207592587: all else is refused by name."""
-    assert numbers(command) == told
+    assert numbers(command) == reported
 
 
 def test_filters_with_a_type_are_refused(tmp_path: Path) -> None:
@@ -74,7 +74,7 @@ def test_filters_with_a_type_are_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("part", "end"), [("", 20.0), (" [SIMULATE]", 0.0)])
-def test_backward_motion_ends_behind_an_optional_part(part: str, end: float) -> None:
+def test_backward_motion_ends_after_an_optional_part(part: str, end: float) -> None:
     """207592587: it is left out on the way back; here there is no way back over it."""
 
     class Operator:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from support.decided import perform, told
+from support.decided import perform, reported
 
 from nctakt.lists.machine.channel_configuration import ALL_LINES, EFFECTIVE_BLOCKS, ONLY_MOTIONS
 from nctakt.lists.machine.machine import Machine, load_machine
@@ -59,7 +59,7 @@ def test_without_single_block_it_changes_nothing() -> None:
     """The path does not stop at it."""
     text = "G01 F6000 G261\nX10\n{}\nX20 Y1\nM30"
     ticks = [
-        told(perform(text.format(word)), "end")[-1].split()[0]
+        reported(perform(text.format(word)), "end")[-1].split()[0]
         for word in ("#SINGLE STEP [DISABLE]", "#SINGLE STEP [ENABLE]", "")
     ]
     assert len(set(ticks)) == 1

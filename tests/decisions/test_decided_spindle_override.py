@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 SIGNALS = ["S.SPEED", "S2.SPEED", "PATH.SPEED"]
 
@@ -57,7 +57,7 @@ def test_each_program_begins_without_it() -> None:
     """Choice; V.SPDL_PROG has the programmed speed."""
     text = '#MSG ["%d", V.SPDL_PROG.SPEED.S]'
     run = perform(f"M3 S600\nS[OVERRIDE SPEED_FACT=50]\n{text}\nM30")
-    assert told(run, "message")[0].endswith(" 600")
+    assert reported(run, "message")[0].endswith(" 600")
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ S takes 10 ticks to 60 revolutions a minute, and as many to a standstill.
 from __future__ import annotations
 
 import pytest
-from support.decided import perform, told
+from support.decided import perform, reported
 
 from nctakt.results.run import Run
 
@@ -39,7 +39,9 @@ def test_hold_continue_and_abort_act_on_a_spindle_in_any_tick(tick: int) -> None
     assert speeds(run, tick - 1, tick) == [6.0 * begin, 6.0 * (begin - 1)]
     assert speeds(run, tick + 19, tick + 20, tick + 29, tick + 49) == [0.0, 6.0, 60.0, 60.0]
     assert speeds(run, tick + 50, tick + 59, tick + 89) == [54.0, 0.0, 0.0]
-    assert [line for line in told(run, "spindle_reached")][-1] == f"{tick + 59} spindle_reached S"
+    assert [line for line in reported(run, "spindle_reached")][
+        -1
+    ] == f"{tick + 59} spindle_reached S"
 
 
 def test_the_end_of_the_cycle_leaves_the_spindle_turning() -> None:

@@ -3,16 +3,16 @@
 
 from __future__ import annotations
 
-from support.decided import perform, told
+from support.decided import perform, reported
 
 from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
 
 
-def test_m00_waits_behind_the_functions_of_its_block() -> None:
+def test_m00_waits_after_the_functions_of_its_block() -> None:
     """A function that goes out after the motion (MNS_SNS) does so before the program stops."""
     run = perform("N10 M00 M113 G00 X1\nM30", ticks=200)
-    assert told(run) == ["32 output M 113", "33 paused line 1"]
+    assert reported(run) == ["32 output M 113", "33 paused line 1"]
     assert run.state == "limit"
 
 
@@ -28,7 +28,7 @@ def test_m00_stops_a_path_that_others_pass_with_speed() -> None:
     assert run.trace is not None
     assert run.trace["X.ACS.ACT_POS"][499] == 10.0
     assert run.trace["Y.ACS.ACT_POS"][499] == 0.0
-    assert told(run, "paused", "end")[1].startswith("6")
+    assert reported(run, "paused", "end")[1].startswith("6")
 
 
 def test_a_reset_gives_up_a_program_that_m00_has_stopped() -> None:
@@ -36,7 +36,7 @@ def test_a_reset_gives_up_a_program_that_m00_has_stopped() -> None:
     stimuli = [Stimulus("10 ms", "HLI.RESET", 1.0), Stimulus("20 ms", "HLI.START", 1.0)]
     controller = Controller()
     run = perform("M00\nG00 X10\nM30", controller, at=stimuli)
-    assert told(run) == ["0 paused line 1"]
+    assert reported(run) == ["0 paused line 1"]
     assert controller.read("V.RTA.ACS.ACT_POS.X") == 0.0
     assert not controller.hli.is_paused
 
@@ -44,4 +44,4 @@ def test_a_reset_gives_up_a_program_that_m00_has_stopped() -> None:
 def test_m00_and_the_end_of_the_program_in_one_block() -> None:
     """The stop comes first, whatever the order of the words."""
     run = perform("M30 M00", at=[Stimulus("5 ms", "HLI.START", 1.0)])
-    assert told(run) == ["0 paused line 1", "5 end part.nc"]
+    assert reported(run) == ["0 paused line 1", "5 end part.nc"]

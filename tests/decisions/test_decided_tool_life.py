@@ -10,7 +10,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 from support.run_folders import changed_machine
 
 from nctakt.lists.machine.machine import load_machine
@@ -91,7 +91,7 @@ def test_commands() -> None:
         60.5 + before / 2.0, abs=0.1
     )
     run = perform("G01 X10 F6000\n#TOOL LIFE READ [7, 1, 2]\nX20\n#TOOL LIFE READ [P1]\nM30")
-    sent = [line.split(" tool_life ")[1].rsplit(" ", 2) for line in told(run, "tool_life")]
+    sent = [line.split(" tool_life ")[1].rsplit(" ", 2) for line in reported(run, "tool_life")]
     assert [(tool, float(distance)) for tool, _, distance in sent] == [
         ("7, 1, 2", 10.0),
         ("0", 20.0),
@@ -103,18 +103,18 @@ def test_each_t_sends(tmp_path: Path) -> None:
     text = "G01 X10 F6000\nT1\nX20\nT1\nT2\nX25\nM30"
     controller = controller_with(tmp_path, "tool_life_to_wzv 1")
     run = perform(text, controller)
-    sent = [line.split()[2:] for line in told(run, "tool_life")]
+    sent = [line.split()[2:] for line in reported(run, "tool_life")]
     assert [(tool, round(float(mm))) for tool, _, mm in sent] == [("0", 10), ("1", 10), ("1", 0)]
     values = [controller.read(f"HLI.LIFE_{name}") for name in ("SERIAL", "TOOL", "DISTANCE")]
     assert values == [3.0, 1.0, 0.0]
-    assert told(perform(text), "tool_life") == []
+    assert reported(perform(text), "tool_life") == []
 
 
 def test_zeros_are_left_out(tmp_path: Path) -> None:
     """P-CHAN-00243."""
     controller = controller_with(tmp_path, "tool_life_to_wzv 1", "tool_life_to_wzv_suppress_zero 1")
     run = perform("T1\nT2\nG01 X5 F6000\nT3\nM30", controller)
-    assert len(told(run, "tool_life")) == 1
+    assert len(reported(run, "tool_life")) == 1
 
 
 def test_d_may_change_the_tool(tmp_path: Path) -> None:

@@ -229,7 +229,7 @@ def test_tools_that_are_too_small() -> None:
     assert perform("D5\nM30", machine(LONG, min_length=20.0, min_radius=5.0)).state == "ended"
 
 
-def test_a_flush_in_front_of_t() -> None:
+def test_a_flush_before_t() -> None:
     """P-CHAN-00106 with P-CHAN-00087: not while a contour waits for its next motion."""
     text = "V.G.WZ_AKT.R = 2\nG41 G01 X10 F6000\nX20\nT5\nX30\nG40 Y10\nM30"
     assert perform(text, machine(LONG)).state == "ended"

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 
 import pytest
-from support.decided import left, numbers, perform, told
+from support.decided import left, numbers, perform, reported
 
 from nctakt.base.failure import Failure
 from nctakt.run.controller import Controller
@@ -27,13 +27,13 @@ def test_compound_assignments_are_those_of_the_four_operations() -> None:
 
 
 def test_a_branch_fires_at_the_first_of_a_series_and_hold_does_not_break_it() -> None:
-    """``fired`` is told once for consecutive run-throughs; HOLD keeps a series, START ends it."""
+    """``fired`` comes once for consecutive run-throughs; HOLD keeps a series, START ends it."""
     body = (
         "#RT CYCLE [ID=1 SCOPE=PROG]\n$IF V.E.VALUE == 0\nV.E.COUNT += 1\n$ENDIF\n#RT CYCLE END\n"
     )
     hold = "#TIME 0.002\n#RT CYCLE HOLD [ID=1]\n#TIME 0.002\n#RT CYCLE CONTINUE [ID=1]\n"
     run = perform(body + hold + "#TIME 0.002\n#RT CYCLE START [ID=1]\n#TIME 0.002\nM30")
-    assert told(run, "fired") == ["0 fired 1 line 2", "6 fired 1 line 2"]
+    assert reported(run, "fired") == ["0 fired 1 line 2", "6 fired 1 line 2"]
 
 
 @pytest.mark.parametrize(
@@ -88,7 +88,7 @@ def test_an_override_is_rounded_and_bounded_to_its_type() -> None:
 def test_only_cycles_and_writes_to_realtime_variables_make_events() -> None:
     """RC-308: the program's own writes are silent but for V.RT*, which empty the channel first."""
     run = perform("V.E.VALUE = 3\nV.E.ASYNC = 4\nV.RTG.LOOP.COUNT = 5\nM30")
-    assert told(run) == ["1 written V.RTG.LOOP.COUNT 5", "1 end part.nc"]
+    assert reported(run) == ["1 written V.RTG.LOOP.COUNT 5", "1 end part.nc"]
 
 
 def test_both_sides_of_a_logical_operator_are_evaluated() -> None:

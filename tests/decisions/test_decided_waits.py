@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Decisions on programs that wait: what the user is told of it, and when."""
+"""Decisions on programs that wait: messages to the user, and their times."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from support.decided import numbers, perform, told
+from support.decided import numbers, perform, reported
 
 import nctakt
 from nctakt.cli import main
@@ -34,7 +34,7 @@ M30
 
 
 def test_a_path_that_waits_for_its_spindle_says_so_and_goes_on() -> None:
-    """MO-4, G95: 900819 in the tick in which the path stands, once; it goes on with the spindle.
+    """MO-4, G95: 900819 in the tick in which the path stops, once; it continues with the spindle.
 
     The spindle brakes from 6000 °/s with 36000 °/s²: M5 in tick 3000 leads to a standstill after
     tick 3166. The path reads it in tick 3167."""
@@ -44,7 +44,7 @@ def test_a_path_that_waits_for_its_spindle_says_so_and_goes_on() -> None:
     ]
     run = perform(STOPPED, at=stimuli, signals=["PATH.SPEED", "X.ACS.ACT_POS"])
     assert run.state == "ended"
-    assert told(run, "warning") == ["3167 warning 900819"]
+    assert reported(run, "warning") == ["3167 warning 900819"]
     assert run.diagnostics[-1].span is not None
     assert (numbers(run), run.diagnostics[-1].span.line) == ([900819], 11)
     assert run.trace is not None
@@ -52,7 +52,7 @@ def test_a_path_that_waits_for_its_spindle_says_so_and_goes_on() -> None:
     assert run.trace["X.ACS.ACT_POS"][-1] == 10.0
 
 
-def test_each_standing_is_told_once() -> None:
+def test_each_standing_is_reported_once() -> None:
     """The spindle stops, turns and stops again: two warnings; the limit reports what is awaited."""
     stimuli = [Stimulus(time, "V.E.VALUE", value) for time, value in ((1, 1.0), (2, 2.0), (3, 1.0))]
     run = perform(STOPPED, at=stimuli, ticks=5000)
@@ -67,7 +67,7 @@ def test_a_spindle_that_begins_to_turn_with_the_block_is_no_standing() -> None:
     assert numbers(perform("M3 S1000\nG95 F0.1\nG01 X0.1\nM30")) == []
 
 
-def test_hold_and_override_are_told_in_their_own_names() -> None:
+def test_hold_and_override_are_reported_in_their_own_names() -> None:
     """What the operator stops is no waiting for the spindle."""
     held = Stimulus("1 s", "HLI.FEED_HOLD", 1.0)
     stopped = Stimulus("1.5 s", "V.E.VALUE", 1.0)
@@ -253,7 +253,7 @@ def test_a_latched_branch_is_no_way_out() -> None:
     )
 
 
-def test_an_axis_that_a_cycle_holds_is_told_as_the_path() -> None:
+def test_an_axis_that_a_cycle_holds_is_reported_as_the_path() -> None:
     """V.RTA.OVERRIDE.VEL.CYCLE of an axis that the path waits for (RC-409)."""
     text = """\
 #RT CYCLE [ID=1]
@@ -283,7 +283,7 @@ M30
         ("$WHILE 1\nG01 X1 F600\nX0\n$ENDWHILE\nM30", [], "", 0),
     ],
 )
-def test_a_program_that_stands_for_ever_is_an_error(
+def test_a_program_that_waits_forever_is_an_error(
     program: str,
     limit: list[str],
     found: str,

@@ -42,7 +42,7 @@ def test_saved_messages_name_the_file_that_the_program_wants() -> None:
         "#SET DEC LR SOLL",
     ],
 )
-def test_channel_init_waits_until_the_path_stands(command: str) -> None:
+def test_channel_init_waits_until_the_path_stops(command: str) -> None:
     """206703627, 206709515: what follows is decoded with the positions of then."""
     text = f"G00 X100\n{command}\nG91 X10\nV.E.VALUE = V.RTA.ACS.ACT_POS.X\n"
     controller = Controller()

@@ -13,7 +13,7 @@ from math import cos, dist, radians, sin
 from random import Random
 
 import pytest
-from support.compensated import Point, Way, decoded, distance, places, told, way
+from support.compensated import Point, Way, decoded, distance, places, reported, way
 from support.random_seeds import each_seed
 
 #: How far from a contour the tool may be off: rounding, and corners that are none (0.01°).
@@ -122,7 +122,7 @@ def nearest_to(place: Point, lines: list[tuple[Point, Point]]) -> float:
 
 @each_seed(20, 5)
 def test_the_way_to_an_open_contour_and_from_it(seed: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Told where it leads across the path beside another part (901964), and only where it cuts."""
+    """Reported where it crosses the path beside another part (901964), and only where it cuts."""
     random = Random(seed)
     corners = open_contour(random)
     radius = random.choice((1.0, 2.0, 4.0))
@@ -133,7 +133,7 @@ def test_the_way_to_an_open_contour_and_from_it(seed: int, monkeypatch: pytest.M
     lines = [f"V.G.WZ_AKT.R = {radius}", f"F600000 G01 X{begin[0]:.3f} Y{begin[1]:.3f}"]
     lines += [random.choice(("G41", "G42")), *(f"N1 X{x} Y{y}" for x, y in corners)]
     lines += ["G40", f"N2 X{end[0]:.3f} Y{end[1]:.3f}", ""]
-    segments, errors, warnings = told("\n".join(lines), monkeypatch)
+    segments, errors, warnings = reported("\n".join(lines), monkeypatch)
     if errors:
         return
     parts = list(pairwise(corners))

@@ -154,7 +154,7 @@ def test_from_one_side_to_the_other(monkeypatch: pytest.MonkeyPatch) -> None:
     assert ends(text, monkeypatch) == [(10, 5), (40, 5), (50, 15), (80, 15), (90, 20)]
 
 
-def test_what_stands_between_two_motions_keeps_its_place(
+def test_commands_between_two_motions_keep_their_place(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Z moves where the corner is; several motions without the plane do not part the contour."""
@@ -213,7 +213,7 @@ def test_each_piece_belongs_to_its_block(monkeypatch: pytest.MonkeyPatch) -> Non
     ]
 
 
-def test_behind_g40_the_channel_may_be_emptied(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_after_g40_the_channel_may_be_emptied(monkeypatch: pytest.MonkeyPatch) -> None:
     """The contour ends beside its last place; the next motion leaves it from there."""
     text = "G41 X10 Y0\nX50\nG40\nP1 = V.RTA.ACS.ACT_POS.Y\nZ[P1 - 100]\nX60 Y-20\n"
     segments, errors = decoded(START + text, monkeypatch)
@@ -304,7 +304,7 @@ def test_too_much_between_two_motions() -> None:
     assert [one.id for one in run.errors] == [90109]
 
 
-def test_d_and_g41_may_stand_in_one_block_and_d0_with_g40(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_d_and_g41_may_be_in_one_block_and_d0_with_g40(monkeypatch: pytest.MonkeyPatch) -> None:
     """The radius is that of the block's own D."""
     segments, errors = decoded("F100 G01 D2\nG41 D1 X10 Y0\nX50\nG40 D0 Y20\n", monkeypatch)
     assert errors == []
@@ -418,7 +418,7 @@ def test_the_time_of_g93_is_that_of_the_block_with_its_corner(
 
 
 @pytest.mark.parametrize("slope", ["", "#SLOPE [TYPE=STEP]\n", "#SLOPE [TYPE=TRAPEZ]\n"])
-def test_single_block_stops_behind_the_way_around_the_corner(slope: str) -> None:
+def test_single_block_stops_after_the_way_around_the_corner(slope: str) -> None:
     """MO-6: a block ends with its last piece; at 50 mm/s the path goes on into the arc.
 
     X from 10 to 50 beside Y 0, then the arc of 5 mm; N30 has one as well, since N40 leaves the

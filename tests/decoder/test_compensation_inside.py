@@ -68,7 +68,7 @@ def test_the_contour_may_end_in_an_arc(monkeypatch: pytest.MonkeyPatch) -> None:
     ]
 
 
-def test_what_stands_between_keeps_its_place_and_without_g40_it_ends_there(
+def test_blocks_in_between_keep_their_place_and_without_g40_it_ends_there(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """The program's end closes the contour as G40 does; M100 and Z are passed on the way."""

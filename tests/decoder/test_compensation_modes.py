@@ -197,7 +197,7 @@ def test_very_small_blocks(monkeypatch: pytest.MonkeyPatch) -> None:
 # --- what the tool does not fit into -------------------------------------------------------------
 
 
-def test_a_neck_beyond_neighbours_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_neck_beyond_neighbours_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     """Without G141 the contour is passed as it is programmed, and the damage is a warning."""
     run = Controller().run(NcText("p.nc", f"{START}{KEYHOLE}M30\n"), signals=[])
     assert [(one.id, one.span.line) for one in run.diagnostics if one.span] == [(900950, 11)]
@@ -249,7 +249,9 @@ HOOK = "G00 X50 Y60\nG41 G01 X0 Y0\nX100\nY40\nX0 Y41\nG40 X50 Y-30\n"
         ("G00 X50 Y0\nG42 G01 X20 Y0\nG03 I-20 J0\nG40 G01 X50\n", []),
     ],
 )
-def test_a_way_that_cuts_the_contour_is_told(text: str, expected: list[tuple[int, int]]) -> None:
+def test_a_way_that_cuts_the_contour_is_reported(
+    text: str, expected: list[tuple[int, int]]
+) -> None:
     """Across the path beside another motion: after it the tool is nearer than its radius."""
     run = Controller().run(NcText("p.nc", f"{START}{text}M30\n"), signals=[])
     assert [(one.id, one.span.line) for one in run.diagnostics if one.span] == expected
@@ -308,7 +310,7 @@ def test_what_lies_above_is_not_compared() -> None:
     assert [one.id for one in run.diagnostics] == [900950]
 
 
-def test_a_damage_is_told_however_much_waits_behind_it() -> None:
+def test_a_damage_is_reported_however_much_waits_after_it() -> None:
     """G141: Y-9 goes down at X 5, across the way at Y 5; 60 more motions are under way by then.
 
     Nothing that the tool does not fit into closes a loop there, so that it is the warning.
@@ -326,7 +328,7 @@ def test_a_damage_is_told_however_much_waits_behind_it() -> None:
 POCKET = "G00 X20 Y20\nG01 G41 X0 Y0\nX40\nY40\nX0\nY0\nG40 X20 Y20\nM30\n"
 
 
-def test_a_closed_contour_that_begins_in_an_inner_corner_is_told_so() -> None:
+def test_a_closed_contour_that_begins_in_an_inner_corner_is_reported_so() -> None:
     """At 0, 5, beside the first line, the tool of radius 5 cuts 5 mm into X 0, the last line."""
     run = Controller().run(NcText("p.nc", START + POCKET), signals=[])
     found = [(one.id, one.span.line, one.values["line"]) for one in run.diagnostics if one.span]
@@ -335,7 +337,7 @@ def test_a_closed_contour_that_begins_in_an_inner_corner_is_told_so() -> None:
     assert [(one.id, one.span.line) for one in run.errors if one.span] == [(90123, 7)]
 
 
-def test_a_closed_contour_that_begins_elsewhere_is_told_nothing() -> None:
+def test_a_closed_contour_that_begins_elsewhere_is_reported_nothing() -> None:
     """Within a line, and at the outer corner of the square seen from outside."""
     within = POCKET.replace("X0 Y0", "X20 Y0").replace("\nG40", "\nX20\nG40")
     outside = POCKET.replace("G41", "G42").replace("X20 Y20", "X-20 Y-20")

@@ -21,7 +21,7 @@ def events(text: str) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("block", "told"),
+    ("block", "reported"),
     [
         ("M[P1]", "0 output M 100"),
         ("MP1", "0 output M 100"),
@@ -32,9 +32,9 @@ def events(text: str) -> list[str]:
         ("M100=-2147483648", "0 output M 100 = -2147483648"),
     ],
 )
-def test_numbers_and_values_are_rounded(block: str, told: str) -> None:
+def test_numbers_and_values_are_rounded(block: str, reported: str) -> None:
     """As for any integer of the language: half to even (RC-307)."""
-    assert events(f"P1=100 P2=-3\n{block}\nM30") == [told, "0 end p.nc"]
+    assert events(f"P1=100 P2=-3\n{block}\nM30") == [reported, "0 end p.nc"]
 
 
 def test_a_computed_number_counts_as_if_it_were_written() -> None:
@@ -63,7 +63,7 @@ def test_a_computed_number_counts_as_if_it_were_written() -> None:
     ],
 )
 def test_a_computed_number_that_is_none_ends_the_program(block: str, error: int) -> None:
-    """Told with its own number where the block is decoded, in both languages."""
+    """Reported with its own number when the block is decoded, in both languages."""
     run = Controller().run(NcText("p.nc", f"P1=100\n{block}\nM30"))
     (found,) = run.errors
     assert (found.id, found.span.line if found.span else 0) == (error, 2)

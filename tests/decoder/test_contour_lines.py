@@ -88,7 +88,7 @@ def test_each_line_has_the_feed_of_its_block() -> None:
     assert speeds[places[:, 1] > 0.0].max() == pytest.approx(50.0)
 
 
-def test_what_stands_between_two_lines_is_executed() -> None:
+def test_commands_between_two_lines_are_executed() -> None:
     """Assignments and comments."""
     places = way("#ANG=45\n; here they meet\nP1 = 20\n#ANG=0 XP1 Y5")
     assert passes(places, 5, 5) < 2e-3
@@ -118,7 +118,7 @@ def test_mistakes(program: str, number: int) -> None:
     assert numbers(run) == [number]
 
 
-def test_a_program_that_ends_with_half_a_line_is_told() -> None:
+def test_a_program_that_ends_with_half_a_line_is_reported() -> None:
     """Without M30, too: no line is lost without a word."""
     assert numbers(perform("G01 F6000\n#ANG=30\n", signals=POSITIONS)) == [21904]
 

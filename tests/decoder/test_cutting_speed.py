@@ -180,7 +180,7 @@ def test_g51_halves_absolute_positions_of_the_face_axis(lathe: Path) -> None:
 def test_the_list_says_what_is_a_diameter(
     absolute: int, relative: int, end: float, tmp_path: Path
 ) -> None:
-    """P-AXIS-00058 for G90, P-AXIS-00059 for G91; neither: G51 changes nothing, which is told."""
+    """P-AXIS-00058 for G90, P-AXIS-00059 for G91; neither: G51 has no effect, with a message."""
     machine = _lathe(tmp_path, absolute, relative)
     found = run(machine, "G18 G51\nG01 X40 F6000\nG91 X10\nM30")
     assert found.trace is not None

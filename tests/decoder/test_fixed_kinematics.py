@@ -181,7 +181,7 @@ def test_pole_keeps_the_present_angle() -> None:
     assert mapped.inverse([0, 0, 0, 10.0, 20.0, 0], near)[3:5] == pytest.approx([190.0, -20.0])
 
 
-def test_linkage_stands_between_axes_and_chain() -> None:
+def test_linkage_is_between_axes_and_chain() -> None:
     """A linkage matrix with a shift maps the linear axes before the chain does."""
     plain = universal((0, 1, 2), ())
     half = math.sqrt(0.5)

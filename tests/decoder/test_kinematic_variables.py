@@ -95,7 +95,7 @@ def test_what_cannot_be_read_or_written(machine: Path, text: str, message: Messa
     assert error.message is message
 
 
-def test_note_on_a_fixed_type_stands_once(machine: Path) -> None:
+def test_note_on_a_fixed_type_comes_once(machine: Path) -> None:
     """Whatever no source settles is reported once per program; kinematic 91 settles it itself."""
     found, _ = run(machine, "#TRAFO [9]\n#TRAFO OFF\n#TRAFO ON\n#TRAFO OFF\n#TRAFO [91]\n")
     assert found.errors == ()

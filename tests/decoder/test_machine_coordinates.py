@@ -80,7 +80,7 @@ def test_systems_of_the_realtime_part_follow(machine: Path) -> None:
 
 
 def test_contour_is_neither_turned_nor_mirrored_inside(machine: Path) -> None:
-    """Rotation, scaling and mirroring come back behind it; those of inside are gone."""
+    """Rotation, scaling and mirroring are restored after it; those set inside are gone."""
     found, said = run(
         machine,
         "G22\n#ROTATION ON [ANGLE=90]\nG00 X10 Y0\n" + SAY + "#MCS ON\nG00 X20 Y0\n" + SAY

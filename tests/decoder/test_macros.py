@@ -51,7 +51,7 @@ def test_a_macro_that_cannot_be_used_ends_the_program(text: str, error: int) -> 
     ],
 )
 def test_a_macro_that_is_no_term_ends_the_program(text: str, error: int, line: int) -> None:
-    """Facts 2.1: in expressions whole terms only; a text that can be no macro is told at once."""
+    """Facts 2.1: in expressions whole terms only; any other text is reported at once."""
     run = Controller().run(NcText("p.nc", text + "\nM30\n"))
     (found,) = run.errors
     assert found.span is not None

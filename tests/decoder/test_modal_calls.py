@@ -80,6 +80,6 @@ def test_m17_of_a_modal_cycle_may_jump() -> None:
     assert messages(text) == "s s"
 
 
-def test_a_program_that_ends_behind_a_motion_without_m30() -> None:
+def test_a_program_that_ends_after_a_motion_without_m30() -> None:
     """The end of the text is the end of the program: the last motion has its call."""
     assert messages(f"{SUB}%MAIN\nG00\n{CALL.format(kind='MOVE')}X1\n") == "s s"

@@ -435,7 +435,7 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     CASES,
     ids=[f"{case[0].__name__}-{number}" for number, case in enumerate(CASES)],
 )
-def test_arguments_stand_in_their_columns(
+def test_arguments_are_in_their_columns(
     command: type[Command], arguments: dict[str, object], kind: int, columns: dict[int, float]
 ) -> None:
     row = pack(command(SOURCE, NUMBER, **arguments), REFERENCE)

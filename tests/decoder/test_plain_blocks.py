@@ -381,7 +381,7 @@ def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 @pytest.mark.parametrize(("back", "number"), [("Y18", 900950), ("Y20", 90123)])
-def test_a_contour_that_is_damaged_is_told_at_its_line(
+def test_a_contour_that_is_damaged_is_reported_at_its_line(
     back: str, number: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Diagnostics have the places of plain blocks that are over by now, without their comments.
@@ -404,7 +404,7 @@ def test_a_contour_that_is_damaged_is_told_at_its_line(
     assert rows(content) == found
 
 
-def test_blocks_that_the_short_way_does_not_take_are_told_from_the_tree() -> None:
+def test_blocks_that_the_short_way_does_not_take_are_reported_from_the_tree() -> None:
     """Software limits (120002), a missing feed (20008): with the place of their word or block."""
     lines = "G01 F100\nX1\nX99999\n"
     assert [str(one.span) for one in rows(lines)[1]] == ["p.nc:3:1"]

@@ -70,7 +70,7 @@ def test_few_plans_are_as_good_as_many(monkeypatch: pytest.MonkeyPatch) -> None:
     assert [messages(in_loop(one)) for one in EXPRESSIONS] == expected
 
 
-def test_a_fault_behind_an_operator_is_told_in_a_loop_as_outside() -> None:
+def test_a_fault_after_an_operator_is_reported_in_a_loop_as_outside() -> None:
     """Both sides of ``&&`` are computed by the decoder; the fault has its place in both ways."""
     body = 'P1 = P1 - 1\n$IF P1 != 0 && 1 / P1 > 0\n#MSG ["%g", P1]\n$ENDIF\n'
     found = messages(f"P1 = 4\n$FOR P2 = 0, 3, 1\n{body}$ENDFOR\nM30\n")
@@ -87,7 +87,7 @@ def test_a_fault_behind_an_operator_is_told_in_a_loop_as_outside() -> None:
     ("expression", "number"), [("1 / P1", 20396), ("SQRT[P1 - 1]", 20398), ("10 ** P3", 21739)]
 )
 def test_a_fault_of_a_later_pass_has_its_place(expression: str, number: int) -> None:
-    """Division, a wrong argument, no finite value: told where they stand, in whichever pass."""
+    """Division, a wrong argument, no finite value: reported at their place, in any pass."""
     body = f"P3 = P3 * 20\nP1 = P1 - 1\nP4 = {expression}\n"
     found = messages(f"P1 = 3\nP3 = 1\n$FOR P2 = 0, 3, 1\n{body}$ENDFOR\nM30\n")
     assert len(found) == 1

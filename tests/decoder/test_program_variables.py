@@ -76,7 +76,7 @@ def test_a_whole_family_is_deleted() -> None:
     assert said(run("V.P.A = 1", "V.S.B = 2", "#DELETE V.P.", show)) == ["0 1"]
 
 
-def test_a_loop_counts_with_an_own_variable() -> None:
+def test_a_loop_counts_with_its_own_variable() -> None:
     """``$FOR`` and ``$SWITCH`` take any writable variable."""
     lines = ("V.P.I = 0", "$FOR V.P.I = 3, 1, -1", '#MSG ["%g", V.P.I]', "$ENDFOR")
     assert said(run(*lines)) == ["3", "2", "1"]

@@ -113,7 +113,7 @@ def test_mistakes(text: str, number: int | None) -> None:
     assert [found.id for found in done.errors][:1] == ([] if number is None else [number])
 
 
-def test_the_form_of_the_curve_is_told_once() -> None:
+def test_the_form_of_the_curve_is_reported_once() -> None:
     """Notes 901551: no source settles the curves."""
     text = f"G01 F6000\nG151\n{MOTIONS}G150\n#SPLINE TYPE BSPLINE\n#SPLINE ON\n{MOTIONS}G150\nM30"
     done = Controller().run(NcText("p.nc", text))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Subprograms as files: where they are searched, which mistakes are told when, what is bounded."""
+"""Subprograms as files: their search, the mistakes and when they are reported, bounds."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def said(run: Run) -> list[str]:
     return [event.text for event in run.events if event.kind == "message"]
 
 
-def test_mistakes_of_all_files_are_told_before_the_first_tick(tmp_path: Path) -> None:
+def test_mistakes_of_all_files_are_reported_before_the_first_tick(tmp_path: Path) -> None:
     """Whatever a program calls, and what that calls, is checked before anything moves."""
     write(tmp_path, main="L one.nc\nL nowhere.nc\nQ1\nM30\n", one="Q2\nL two.nc\nM17\n", two="Q3\n")
     run = Controller().run(tmp_path / "main.nc")
@@ -50,7 +50,7 @@ def test_mistakes_of_all_files_are_told_before_the_first_tick(tmp_path: Path) ->
     ]
 
 
-def test_a_missing_file_is_told_with_the_folders_that_were_searched(tmp_path: Path) -> None:
+def test_a_missing_file_is_reported_with_the_folders_that_were_searched(tmp_path: Path) -> None:
     """P-CHAN-00401: the caller's folder, then those of the list for subprograms, by priority."""
     work, lists = tmp_path / "work", tmp_path / "lists"
     write(work, main="L nowhere.nc\nM30\n")
@@ -95,7 +95,7 @@ def test_the_first_folder_that_has_a_file_counts(tmp_path: Path) -> None:
     assert said(run) == ["own a", "near b", "far c", "far d"]
 
 
-def test_a_recursion_without_end_is_told(tmp_path: Path) -> None:
+def test_a_recursion_without_end_is_reported(tmp_path: Path) -> None:
     """This many programs inside each other, the main program included, and no more."""
     write(tmp_path, main="P1 = 1\nL again.nc\nM30\n", again="P1 += 1\nV.E.COUNT = P1\nL again.nc\n")
     controller = Controller()
@@ -116,7 +116,7 @@ def test_structures_and_calls_inside_each_other_are_bounded() -> None:
 
 
 @pytest.mark.slow
-def test_a_loop_of_jumps_that_never_moves_is_told() -> None:
+def test_a_loop_of_jumps_that_never_moves_is_reported() -> None:
     """Blocks in a row that take no time are bounded, jumps or not."""
     run = Controller().run(NcText("loop.nc", "N10: P1 += 1\n$GOTO N10\nM30\n"))
     assert [error.id for error in run.errors] == [900303]
@@ -174,7 +174,7 @@ def test_a_return_over_more_calls_than_are_open_leads_to_the_main_program() -> N
         ("P1 = @P1", 21461),
     ],
 )
-def test_what_only_the_call_shows_is_told_when_it_is_decoded(line: str, error: int) -> None:
+def test_what_only_the_call_shows_is_reported_when_it_is_decoded(line: str, error: int) -> None:
     """Values that a call did not hand over, returns that lead nowhere."""
     program = f'%L SUB\n{line}\nM17\n%MAIN\nLL CYCLE [NAME=SUB @P1="text"]\nM30\n'
     assert [one.id for one in Controller().run(NcText("p.nc", program)).errors] == [error]

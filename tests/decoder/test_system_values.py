@@ -40,16 +40,16 @@ def test_positions_of_the_block_before() -> None:
         + "G71\n"
         + shown("V.G.MASS_MM, V.G.MASS_360, V.A.MODULO_VALUE.X")
     )
-    run, told = said(text + "M30")
-    assert told == ["10 10 10 20", "10 7 3", "13 10", "15 -10", "10 1", "0 0 0"]
+    run, reported = said(text + "M30")
+    assert reported == ["10 10 10 20", "10 7 3", "13 10", "15 -10", "10 1", "0 0 0"]
     assert run.state == "ended"
 
 
-def test_measured_positions_wait_until_the_path_stands() -> None:
-    """RC-308: the decoder waits; 10 mm take 100 ms, and the answer is of the tick that stands."""
+def test_measured_positions_wait_until_the_path_stops() -> None:
+    """RC-308: the decoder waits; 10 mm take 100 ms, and the answer is that of the tick at rest."""
     text = "G00 X10\nP1 = V.A.ACT_POS.X + V.A.ACS.ABS[0]\n" + shown("P1") + "M30"
-    run, told = said(text)
-    assert told == ["20"]
+    run, reported = said(text)
+    assert reported == ["20"]
     assert run.ticks > 100
     run = Controller().run(
         NcText("p.nc", "D1 F6000 G01\nG41 X10\nX50\nP1 = V.A.ACT_POS.X\nG40 X60\nM30")
@@ -81,7 +81,7 @@ def test_the_feed_in_the_unit_of_its_kind(words: str, expected: str) -> None:
 
 
 def test_zero_offsets_are_read_and_written() -> None:
-    """NP_AKT is the active one until the next is selected; NP the list, also for programs behind.
+    """NP_AKT is the active one until the next is selected; NP is the list, also for later programs.
 
     The demo machine has 25 mm in Y for G55.
     """
@@ -151,10 +151,10 @@ def test_the_last_arc_and_block() -> None:
         + shown("V.G.I, V.G.R, V.G.MERR[0], V.G.PROG_NR")
         + "M30"
     )
-    told = said(text)[1]
-    assert told[0] == "0 10 0 10 0 20"
-    assert told[1] == "5.004 0 5 -0.004 0 20"
-    assert told[2] == "0 13 0 0"
+    reported = said(text)[1]
+    assert reported[0] == "0 10 0 10 0 20"
+    assert reported[1] == "5.004 0 5 -0.004 0 20"
+    assert reported[2] == "0 13 0 0"
 
 
 def test_the_last_block_of_plain_lines() -> None:

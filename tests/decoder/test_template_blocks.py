@@ -200,7 +200,7 @@ def test_a_jump_back_finds_the_forms_again(monkeypatch: pytest.MonkeyPatch) -> N
     assert rows(text, MAX_ROWS) == short
 
 
-def test_a_mistake_is_told_at_its_own_place() -> None:
+def test_a_mistake_is_reported_at_its_own_place() -> None:
     """20396 in the tenth statement of a shape, with the its own columns numbers."""
     lines = [HEAD, *(f"N{10**i} V.P.A = {i} / [{8 - i} * V.P.I + 1]" for i in range(8))]
     lines += ["V.P.I = -1", "N123456 V.P.A = 12345 / [1 * V.P.I + 1]", "M30"]

@@ -115,7 +115,7 @@ def test_mode_for_six_axes_is_reported(machines: dict[str, Path]) -> None:
     ],
 )
 @pytest.mark.parametrize("switch", ["#TRAFO ON\n", ""])
-def test_tool_stands_on_an_axis_of_the_system(
+def test_tool_is_on_an_axis_of_the_system(
     machines: dict[str, Path],
     name: str,
     angle: int,

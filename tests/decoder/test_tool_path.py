@@ -185,7 +185,7 @@ def tolerance(ways: list[Way], radius: float) -> float:
 
 
 @pytest.mark.parametrize("part", range(10))
-def test_where_nothing_is_told_the_tool_is_nowhere_too_near(part: int) -> None:
+def test_where_nothing_is_reported_the_tool_is_nowhere_too_near(part: int) -> None:
     """Neither a motion that does not fit nor a crossing: then no place is damaged."""
     fitting = 0
     for seed in range(part, CONTOURS, 10):
@@ -229,7 +229,7 @@ def check(seed: int, ways: list[Way], result: Passed, tool: float) -> None:
         (8158, True),
         # the crossing is up to rounding where an arc begins
         (7115, True),
-        # the way leads back behind a loop that was left out
+        # the path leads back past a loop that was left out
         (3735, False),
         (7401, False),
         (7735, False),
@@ -246,7 +246,7 @@ def test_the_tool_is_led_along_what_neighbours_cut_off(seed: int, by_arc: bool) 
 
 
 @pytest.mark.parametrize(("seed", "by_arc"), [(5776, False), (15133, True), (15133, False)])
-def test_where_arcs_smaller_than_the_tool_are_cut_it_is_told(seed: int, by_arc: bool) -> None:
+def test_where_arcs_smaller_than_the_tool_are_cut_it_is_reported(seed: int, by_arc: bool) -> None:
     """G141: no way leads beside such arcs; several one after the other may still be damaged."""
     ways, tool, _ = chosen(seed)
     result = passed(ways, tool, by_arc, masks=True)

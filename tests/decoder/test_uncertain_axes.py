@@ -17,7 +17,7 @@ def test_without_cycles_no_axis_is_doubtful() -> None:
     assert axes.uncertain("XYZ") == ()
 
 
-def test_a_block_cycle_makes_its_axes_doubtful_behind_its_block() -> None:
+def test_a_block_cycle_makes_its_axes_doubtful_after_its_block() -> None:
     """RC-409: not in its own block, which may move the axis; after it once."""
     axes = moved()
     axes.define_cycle(0, ("Z",), is_block=True, starts=True)

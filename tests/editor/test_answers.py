@@ -92,7 +92,7 @@ def test_hover_explains_words_and_the_programs_own_names(in_editor: Run) -> None
     in_editor(script)
 
 
-def test_completion_offers_what_can_stand_at_the_cursor(in_editor: Run) -> None:
+def test_completion_offers_what_is_possible_at_the_cursor(in_editor: Run) -> None:
     """Words, paths of variables, keywords, IDs, labels, subprograms, files, parameters of lists."""
 
     async def script(editor: Editor) -> None:

@@ -217,7 +217,9 @@ def test_two_processes_do_not_write_one_file(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "number"), [("no/folder.txt", 900507), ("folder", 900501), ("x" * 300, 900507)]
 )
-def test_an_output_that_cannot_be_is_told_at_once(tmp_path: Path, name: str, number: int) -> None:
+def test_an_output_that_cannot_be_is_reported_at_once(
+    tmp_path: Path, name: str, number: int
+) -> None:
     """Before anything is run."""
     (tmp_path / "folder").mkdir()
     with pytest.raises(Failure) as caught:
@@ -316,7 +318,7 @@ def test_what_an_exception_cuts_off_says_so_by_its_name(tmp_path: Path) -> None:
     assert {(tmp_path / name).read_text("utf-8") for name in partial} == {"first line\n"}
 
 
-def test_a_file_that_is_read_behind_its_begin_keeps_its_place(tmp_path: Path) -> None:
+def test_a_file_that_is_read_after_its_begin_keeps_its_place(tmp_path: Path) -> None:
     """A subprogram whose name is computed is known only when it is called."""
     path = tmp_path / "sub.nc"
     path.write_text("M17\n", "utf-8")

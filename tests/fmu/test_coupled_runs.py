@@ -161,7 +161,7 @@ def test_start_values_of_another_type_or_beyond_the_limits_are_refused(
 
 
 @pytest.mark.parametrize("is_isolated", [False, True])
-def test_a_library_that_refuses_the_token_is_told(
+def test_a_library_that_refuses_the_token_is_reported(
     libraries: dict[int, Path], tmp_path: Path, is_isolated: bool
 ) -> None:
     """902952 with the token and the model's own words, in both versions; nothing is left behind."""
@@ -212,7 +212,7 @@ def test_aliases_of_fmi_3(libraries: dict[int, Path], tmp_path: Path) -> None:
     assert run.trace["V.E.VALUE"][-1] == run.trace["X.ACS.ACT_POS"][-2]
 
 
-def test_an_fmu_that_fails_is_told(plant: Path) -> None:
+def test_an_fmu_that_fails_is_reported(plant: Path) -> None:
     """902609 with the function, the time of the run and the model's own words."""
     fmu = Fmu(plant, outputs={"n": "V.E.COUNT"}, start={"fault": 1})
     with pytest.raises(FmuError) as failed:
@@ -223,13 +223,13 @@ def test_an_fmu_that_fails_is_told(plant: Path) -> None:
     assert "the spring is broken" in text
 
 
-def test_an_fmu_that_wants_to_end_is_told(plant: Path) -> None:
+def test_an_fmu_that_wants_to_end_is_reported(plant: Path) -> None:
     """902610 in FMI 3.0; FMI 2.0 discards the step (902609)."""
     with pytest.raises(FmuError, match=r"902610.*at 0\.003 s|902609.*\(discard\)"):
         run_with(Fmu(plant, outputs={"n": "V.E.COUNT"}, start={"fault": 2}))
 
 
-def test_a_value_that_the_machine_cannot_have_is_told(plant: Path) -> None:
+def test_a_value_that_the_machine_cannot_have_is_reported(plant: Path) -> None:
     """902612 at its time, followed by the machine's reason."""
     fmu = Fmu(
         plant,
@@ -241,7 +241,9 @@ def test_a_value_that_the_machine_cannot_have_is_told(plant: Path) -> None:
         run_with(fmu)
 
 
-def test_values_that_do_not_fit_a_type_are_told(libraries: dict[int, Path], tmp_path: Path) -> None:
+def test_values_that_do_not_fit_a_type_are_reported(
+    libraries: dict[int, Path], tmp_path: Path
+) -> None:
     """A whole number of 8 bits does not silently become another one; arrays are refused."""
     file = write_fmu(tmp_path / "p.fmu", description(3, SMALL, ABSENT), libraries[3])
     with pytest.raises(FmuError, match=r"902612: .* 300 of V\.E\.VALUE .* for small"):
@@ -326,7 +328,7 @@ LIES: dict[str, tuple[str, str, str]] = {
 
 @pytest.mark.parametrize("is_isolated", [False, True])
 @pytest.mark.parametrize("name", LIES)
-def test_an_fmu_that_lies_about_itself_is_told(
+def test_an_fmu_that_lies_about_itself_is_reported(
     libraries: dict[int, Path], tmp_path: Path, name: str, is_isolated: bool
 ) -> None:
     """With a number, in this process and in its own."""
@@ -375,7 +377,7 @@ PACKAGES = {
 
 @pytest.mark.parametrize("is_isolated", [False, True])
 @pytest.mark.parametrize("package", PACKAGES)
-def test_an_error_of_a_model_is_told_in_its_words(
+def test_an_error_of_a_model_is_reported_in_its_words(
     tmp_path: Path, package: str, is_isolated: bool
 ) -> None:
     """902609 has the text that the model gives to the log."""
@@ -417,7 +419,7 @@ def test_archives_that_are_none_are_refused(tmp_path: Path) -> None:
 
 # --- commands
 
-Told = Callable[..., tuple[int, str, str]]
+Reported = Callable[..., tuple[int, str, str]]
 
 PROJECT = """\
 [fmu]
@@ -438,7 +440,9 @@ M30
 
 
 @pytest.fixture
-def told(plant: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Told:
+def reported(
+    plant: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Reported:
     """Run a command beside ``a.nc``, ``plant.fmu`` and its project; exit code and both outputs."""
     monkeypatch.chdir(plant.parent)
     monkeypatch.setenv("XDG_CONFIG_HOME", str(plant.parent / "settings"))
@@ -455,55 +459,55 @@ def told(plant: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFix
     return command
 
 
-def test_a_tape_needs_no_fmu(told: Told) -> None:
+def test_a_tape_needs_no_fmu(reported: Reported) -> None:
     """The outputs are inputs on the tape; the replay has the events of the run without it."""
-    code, _, err = told(
+    code, _, err = reported(
         "run", "a.nc", "--fmu", "plant.fmu", "--record", "a.tape", "--trace", "a.csv"
     )
     assert (code, err) == (0, "")
     assert '"fmu","write","V.E.VALUE"' in Path("a.tape").read_text("utf-8").replace(" ", "")
-    assert "M100" not in told("run", "a.nc", "--trace", "without.csv")[1]
+    assert "M100" not in reported("run", "a.nc", "--trace", "without.csv")[1]
     Path("plant.fmu").unlink()
-    code, _, err = told("replay", "a.tape", "--trace", "b.csv")
+    code, _, err = reported("replay", "a.tape", "--trace", "b.csv")
     assert code == 0
     assert "901072" in err or "900" not in err
     assert Path("a.csv").read_bytes() == Path("b.csv").read_bytes()
     assert Path("a.csv").read_bytes() != Path("without.csv").read_bytes()
 
 
-def test_the_project_names_it(told: Told) -> None:
+def test_the_project_names_it(reported: Reported) -> None:
     """It runs as with ``--fmu``; who cannot run it says so (902614), where no code may run it is
     left out (902613).
     """
-    assert told("run", "a.nc", "--fmu", "plant.fmu", "--trace", "a.csv")[0] == 0
+    assert reported("run", "a.nc", "--fmu", "plant.fmu", "--trace", "a.csv")[0] == 0
     Path("nctakt.toml").write_text(PROJECT + 'file = "plant.fmu"\n', "utf-8")
-    assert told("run", "a.nc", "--trace", "b.csv")[0] == 0
+    assert reported("run", "a.nc", "--trace", "b.csv")[0] == 0
     assert Path("a.csv").read_bytes() == Path("b.csv").read_bytes()
-    assert told("why", "a.nc")[0] == 0
-    code, _, err = told("study", "a.nc", "--each-tick", "V.E.WORD=1")
+    assert reported("why", "a.nc")[0] == 0
+    code, _, err = reported("study", "a.nc", "--each-tick", "V.E.WORD=1")
     assert (code, err.partition(": an FMU")[0]) == (
         2,
         "nctakt.toml:1:1: error 902614: project file",
     )
-    assert "902613" in told("disassemble", "a.nc")[2]
+    assert "902613" in reported("disassemble", "a.nc")[2]
 
 
-def test_code_that_others_may_have_written_is_not_run(told: Told) -> None:
+def test_code_that_others_may_have_written_is_not_run(reported: Reported) -> None:
     """902025: an FMU is foreign code, as a PLC is."""
     Path("nctakt.toml").write_text(PROJECT + 'file = "plant.fmu"\n', "utf-8")
     Path("plant.fmu").chmod(0o777)
-    code, out, err = told("run", "a.nc")
+    code, out, err = reported("run", "a.nc")
     assert (code, out) == (2, "")
     assert err.startswith("nctakt.toml:1:1: error 902025: project file: fmu is not run")
-    assert told("run", "a.nc", "--trust")[0] == 0
-    assert told("run", "a.nc", "--fmu", "plant.fmu")[0] == 0
+    assert reported("run", "a.nc", "--trust")[0] == 0
+    assert reported("run", "a.nc", "--fmu", "plant.fmu")[0] == 0
 
 
-def test_slips_in_the_project_file_are_told_at_their_place(told: Told) -> None:
+def test_slips_in_the_project_file_are_reported_at_their_place(reported: Reported) -> None:
     """Unknown entries, wrong kinds, times that are none."""
     text = '[fmu]\nevery = "0 ms"\ninput = {}\noutputs = {y = 5}\nfile = "missing.fmu"\n'
     Path("nctakt.toml").write_text(text, "utf-8")
-    code, _, err = told("run", "a.nc")
+    code, _, err = reported("run", "a.nc")
     assert code == 2
     found = [line.partition(": project")[0] for line in err.splitlines() if "error 9" in line]
     assert found == [
@@ -522,19 +526,19 @@ def test_slips_in_the_project_file_are_told_at_their_place(told: Told) -> None:
         (PROJECT.replace("gain = 1000", 'fault = 0, gain = "much"'), "5:21"),
     ],
 )
-def test_a_start_value_is_told_at_its_place(told: Told, text: str, place: str) -> None:
+def test_a_start_value_is_reported_at_its_place(reported: Reported, text: str, place: str) -> None:
     """Line and column of its name, in its own table or in a line."""
     Path("nctakt.toml").write_text(text, "utf-8")
-    code, _, err = told("run", "a.nc", "--fmu", "plant.fmu")
+    code, _, err = reported("run", "a.nc", "--fmu", "plant.fmu")
     assert code == 1
     assert err.startswith(f"nctakt.toml:{place}: error 902951: plant.fmu: gain cannot begin")
     assert "^^^^" in err
 
 
-def test_a_failure_of_the_fmu_is_one_of_the_run(told: Told) -> None:
+def test_a_failure_of_the_fmu_is_one_of_the_run(reported: Reported) -> None:
     """Exit code 1, without a traceback; what has been recorded is complete."""
     Path("nctakt.toml").write_text(PROJECT.replace("gain = 1000", "fault = 1"), "utf-8")
-    code, _, err = told("run", "a.nc", "--fmu", "plant.fmu", "--trace", "a.csv")
+    code, _, err = reported("run", "a.nc", "--fmu", "plant.fmu", "--trace", "a.csv")
     assert code == 1
     assert err.startswith("error 902609: plant.fmu: fmi")
     assert len(Path("a.csv").read_text("utf-8").splitlines()) == 1 + 8

@@ -43,13 +43,13 @@ class Cell:
 """
 NAMES = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "PATH.SPEED", "BLOCK", "V.E.COUNT"]
 
-Told = Callable[..., tuple[int, str, str]]
+Reported = Callable[..., tuple[int, str, str]]
 
 
 @pytest.fixture
-def told(
+def reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> Told:
+) -> Reported:
     """Run a command beside ``part.nc`` and ``cell.py``; exit code and both outputs."""
     monkeypatch.chdir(tmp_path)
     Path("part.nc").write_text(PROGRAM, "utf-8")
@@ -72,7 +72,7 @@ def simulated(file: str, step: float, end: float, **further: Any) -> Any:
 
 
 @pytest.mark.parametrize("version", [pytest.param("2", marks=pytest.mark.nightly), "3"])
-def test_an_fmu_does_what_the_run_does(told: Told, version: str) -> None:
+def test_an_fmu_does_what_the_run_does(reported: Reported, version: str) -> None:
     """It is valid, and each value after each step is that of the trace; so with steps of 2 ticks.
 
     After the end of the program the machine is (and ticks).
@@ -80,7 +80,7 @@ def test_an_fmu_does_what_the_run_does(told: Told, version: str) -> None:
     from fmpy.validation import validate_fmu  # noqa: PLC0415 - an extra
 
     names = ("--outputs", ",".join(NAMES), "--fmi", version)
-    code, out, err = told("fmu", "part.nc", "--plc", "cell.py", "-o", "cell.fmu", *names)
+    code, out, err = reported("fmu", "part.nc", "--plc", "cell.py", "-o", "cell.fmu", *names)
     assert (code, err) == (0, "")
     assert out.startswith(f"cell.fmu: FMI {version}.0, ")
     assert validate_fmu("cell.fmu") == []
@@ -101,10 +101,10 @@ def test_an_fmu_does_what_the_run_does(told: Told, version: str) -> None:
 
 
 @pytest.mark.parametrize("version", [pytest.param("2", marks=pytest.mark.nightly), "3"])
-def test_an_input_counts_from_the_next_tick(told: Told, version: str) -> None:
+def test_an_input_counts_from_the_next_tick(reported: Reported, version: str) -> None:
     """RC-002, as a value that is set at that time; instances follow each other in one process."""
     names = ("--outputs", ",".join(NAMES), "--inputs", "HLI.OVERRIDE", "--fmi", version)
-    assert told("fmu", "part.nc", "-o", "cell.fmu", *names)[0] == 0
+    assert reported("fmu", "part.nc", "-o", "cell.fmu", *names)[0] == 0
     run = Controller().run("part.nc", at=[("100 ms", "HLI.OVERRIDE", 50)], signals=NAMES)
     described = read_fmu(Path("cell.fmu"), FileAccess())
     folder = fmpy.extract("cell.fmu", Path("unpacked").absolute())
@@ -121,10 +121,10 @@ def test_an_input_counts_from_the_next_tick(told: Told, version: str) -> None:
         instance.end()
 
 
-def test_instances_are_independent_and_can_be_reset(told: Told) -> None:
+def test_instances_are_independent_and_can_be_reset(reported: Reported) -> None:
     """Two of one FMU in turn; a step that is no whole number of ticks is an error with its text."""
     names = ("--outputs", "X.ACS.ACT_POS", "--inputs", "HLI.OVERRIDE")
-    assert told("fmu", "part.nc", "-o", "cell.fmu", *names)[0] == 0
+    assert reported("fmu", "part.nc", "-o", "cell.fmu", *names)[0] == 0
     described = fmpy.read_model_description("cell.fmu")
     log: list[str] = []
 
@@ -164,26 +164,26 @@ def test_instances_are_independent_and_can_be_reset(told: Told) -> None:
 
 
 @pytest.mark.nightly
-def test_it_runs_beside_a_machine_of_nctakt(told: Told) -> None:
+def test_it_runs_beside_a_machine_of_nctakt(reported: Reported) -> None:
     """As ``--fmu`` of another run: both tick together."""
     names = ("--outputs", "X.ACS.ACT_POS", "--inputs", "V.E.VALUE")
-    assert told("fmu", "part.nc", "-o", "cell.fmu", *names)[0] == 0
+    assert reported("fmu", "part.nc", "-o", "cell.fmu", *names)[0] == 0
     Path("nctakt.toml").write_text('[fmu.outputs]\n"X.ACS.ACT_POS" = "V.E.VALUE"\n', "utf-8")
     words = ("--trace", "a.csv", "--signals", "X.ACS.ACT_POS,V.E.VALUE")
-    assert told("run", "part.nc", "--fmu", "cell.fmu", *words)[0] == 0
+    assert reported("run", "part.nc", "--fmu", "cell.fmu", *words)[0] == 0
     rows = [line.split(",")[:4] for line in Path("a.csv").read_text("utf-8").splitlines()[1:]]
     positions, values = ([row[column] for row in rows] for column in (2, 3))
     assert [float(one) for one in values[1:]] == [float(one) for one in positions[:-1]]
 
 
 @pytest.mark.nightly
-def test_the_same_run_gives_the_same_bytes_with_its_own_lists(told: Told) -> None:
+def test_the_same_run_gives_the_same_bytes_with_its_own_lists(reported: Reported) -> None:
     """Lists lie beside the program in the FMU; no clock and no path of this computer is in it."""
-    assert told("new", "mill")[0] == 0
+    assert reported("new", "mill")[0] == 0
     words = ("fmu", "part.nc", "--machine", "mill", "--quiet")
     for name in ("a/cell.fmu", "b/cell.fmu"):
         Path(name).parent.mkdir()
-        assert told(*words, "-o", name) == (0, "", "")
+        assert reported(*words, "-o", name) == (0, "", "")
     assert Path("a/cell.fmu").read_bytes() == Path("b/cell.fmu").read_bytes()
     with zipfile.ZipFile("a/cell.fmu") as archive:
         listed = archive.namelist()
@@ -193,7 +193,7 @@ def test_the_same_run_gives_the_same_bytes_with_its_own_lists(told: Told) -> Non
     assert 'unit="mm"' in described
 
 
-def test_what_makes_no_fmu_is_told(told: Told) -> None:
+def test_what_makes_no_fmu_is_reported(reported: Reported) -> None:
     """Names, inputs, mistakes of the program; nothing is written."""
     for words, number in (
         (("-o", "9.fmu"), "902618"),
@@ -201,10 +201,10 @@ def test_what_makes_no_fmu_is_told(told: Told) -> None:
         (("-o", "cell.fmu", "--inputs", "X.ACS.ACT_POS"), "902617"),
         (("-o", "cell.fmu", "--outputs", "X.ACS.ACT_PSO"), "ACT_POS"),
     ):
-        code, _, err = told("fmu", "part.nc", *words)
+        code, _, err = reported("fmu", "part.nc", *words)
         assert (code, number in err) == (2, True)
     Path("part.nc").write_text("G01 X\n", "utf-8")
-    assert told("fmu", "part.nc", "-o", "cell.fmu")[0] == 1
+    assert reported("fmu", "part.nc", "-o", "cell.fmu")[0] == 1
     assert not Path("cell.fmu").exists()
 
 
@@ -263,7 +263,7 @@ def values_of(cell: Any, begin: int, end: int, override: float = 100.0) -> list[
 
 @pytest.mark.parametrize("version", ["2", "3"])
 @pytest.mark.parametrize("plc", [None, "cell.py", "cell.st"])
-def test_a_state_is_put_back(told: Told, version: str, plc: str | None) -> None:
+def test_a_state_is_put_back(reported: Reported, version: str, plc: str | None) -> None:
     """Saved, run on, put back, run on again: the same values; so in another instance, from bytes.
 
     What is set after a state was put back belongs to that branch alone.
@@ -272,7 +272,7 @@ def test_a_state_is_put_back(told: Told, version: str, plc: str | None) -> None:
         "PROGRAM MAIN\nVAR n : DINT; END_VAR\nn := n + 1;\nEND_PROGRAM\n", "utf-8"
     )
     names = ["--outputs", ",".join(NAMES), "--inputs", "HLI.OVERRIDE", "--fmi", version]
-    code, _, err = told(
+    code, _, err = reported(
         "fmu", "part.nc", "-o", "cell.fmu", *names, *(["--plc", plc] if plc else [])
     )
     assert (code, err) == (0, "")
@@ -300,7 +300,7 @@ def test_a_state_is_put_back(told: Told, version: str, plc: str | None) -> None:
     cell.free(late)
 
 
-def test_a_state_that_does_not_come_back_is_refused(told: Told) -> None:
+def test_a_state_that_does_not_come_back_is_refused(reported: Reported) -> None:
     """A PLC whose state is in another module does otherwise the second time (902843).
 
     A state of another FMU (902842) and bytes that are none (902841) are refused as well.
@@ -314,7 +314,7 @@ def test_a_state_that_does_not_come_back_is_refused(told: Told) -> None:
         "utf-8",
     )
     words = ("fmu", "part.nc", "-o", "cell.fmu", "--outputs", ",".join(NAMES))
-    assert told(*words, "--plc", "cell.py")[0] == 0
+    assert reported(*words, "--plc", "cell.py")[0] == 0
     log: list[str] = []
     cell = cell_of("a", "3", log)
     for tick in range(100):
@@ -331,17 +331,17 @@ def test_a_state_that_does_not_come_back_is_refused(told: Told) -> None:
         broken.put_back(unread)
     assert "902841" in log[-1]
     Path("cell.fmu").unlink()
-    assert told(*words)[0] == 0
+    assert reported(*words)[0] == 0
     other = cell_of("b", "3", log)
     with pytest.raises(fmpy.fmi1.FMICallException):
         other.put_back(other.of_bytes(data))
     assert "902842" in log[-1]
 
 
-def test_a_value_that_an_input_cannot_have_is_refused(told: Told) -> None:
+def test_a_value_that_an_input_cannot_have_is_refused(reported: Reported) -> None:
     """With a message in the importer's log; the instance can be freed."""
     words = ("--outputs", ",".join(NAMES), "--inputs", "HLI.OVERRIDE")
-    assert told("fmu", "part.nc", "-o", "cell.fmu", *words)[0] == 0
+    assert reported("fmu", "part.nc", "-o", "cell.fmu", *words)[0] == 0
     log: list[str] = []
     cell = cell_of("a", "3", log)
     with pytest.raises(fmpy.fmi1.FMICallException):

@@ -58,7 +58,7 @@ def test_a_run_is_the_same(plant: Path) -> None:
         (4, r"902732.*not returned for 2 s at 0\.003 s of the run, in a step"),
     ],
 )
-def test_its_end_is_told(plant: Path, fault: int, text: str) -> None:
+def test_its_end_is_reported(plant: Path, fault: int, text: str) -> None:
     """The model's own words, its signal, or how long it has not returned: a third run is whole."""
     before = time.monotonic()
     with pytest.raises(FmuError, match=text):
@@ -67,7 +67,7 @@ def test_its_end_is_told(plant: Path, fault: int, text: str) -> None:
     assert run_with(Fmu(plant, isolate=True, **TIES)).state == "ended"
 
 
-def test_a_late_step_is_told_without_a_process(
+def test_a_late_step_is_reported_without_a_process(
     plant: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """902733 on the error output, while the model has not returned; the run goes on."""

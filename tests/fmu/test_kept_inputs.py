@@ -23,7 +23,7 @@ class FullDisk(io.BytesIO):
         raise OSError(errno.ENOSPC, "No space left on device")
 
 
-def test_a_full_disk_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_full_disk_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     """902840 with what the system says, at the input that does not fit; closing is harmless."""
     monkeypatch.setattr(tempfile, "SpooledTemporaryFile", lambda _size: FullDisk())
     inputs = CellInputs()
@@ -31,10 +31,10 @@ def test_a_full_disk_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
         inputs.note(tick, 7, 1.5)
     with pytest.raises(Failure) as failed:
         inputs.note(TOGETHER - 1, 7, 1.5)
-    (told,) = failed.value.diagnostics
-    assert told.id == 902840
-    assert "No space left on device" in told.text("en")
-    assert "TMPDIR" in told.remedy("en")
+    (reported,) = failed.value.diagnostics
+    assert reported.id == 902840
+    assert "No space left on device" in reported.text("en")
+    assert "TMPDIR" in reported.remedy("en")
 
 
 def test_inputs_come_back_as_they_were() -> None:

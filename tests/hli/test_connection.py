@@ -194,7 +194,7 @@ def test_a_spindle_job_is_acknowledged(cell: Cell) -> None:
 # --- attaching and leaving ------------------------------------------------------------------------
 
 
-def test_an_hli_that_nobody_shares_is_told() -> None:
+def test_an_hli_that_nobody_shares_is_reported() -> None:
     """901430 names those that there are."""
     with Controller().interface_image(new_name()) as image:
         with pytest.raises(Failure) as caught:
@@ -257,7 +257,7 @@ def test_a_second_plc_is_refused(cell: Cell) -> None:
         assert second.is_running
 
 
-def test_leaving_is_told_to_the_cnc(cell: Cell) -> None:
+def test_leaving_is_reported_to_the_cnc(cell: Cell) -> None:
     """After the end of the context manager the CNC acknowledges by itself."""
     access = ImageAccess("cell", cell.image.memory[:])
     assert access.number(LINK, access.offset(LINK), "process") == os.getpid()

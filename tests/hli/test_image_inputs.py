@@ -15,7 +15,7 @@ from nctakt.run.access.tape import Tape
 from nctakt.run.plcs.plc_view import PlcView
 
 
-def test_what_a_plc_writes_into_the_image_stands_on_the_tape_by_name() -> None:
+def test_what_a_plc_writes_into_the_image_is_on_the_tape_by_name() -> None:
     """What it writes after tick 3 is an input of tick 4 (RC-002), and a replay puts it there."""
     program = NcText("part.nc", "M100\nG01 X10 F6000\nM30")
     cells: Cells = []

@@ -141,7 +141,7 @@ def test_areas_do_not_overlap_and_the_plcs_are_last() -> None:
 
 
 @pytest.mark.parametrize("structure", STRUCTURES)
-def test_values_stand_at_multiples_of_their_size(structure: Structure) -> None:
+def test_values_are_at_multiples_of_their_size(structure: Structure) -> None:
     """As a C compiler puts them; structures take a multiple of 8 bytes."""
     end = 0
     for placed in entries(structure):
@@ -185,7 +185,7 @@ def test_the_c_header_of_the_examples_is_that_of_the_declaration() -> None:
 # --- what the tick writes -----------------------------------------------------------------------
 
 
-def test_state_and_positions_stand_in_the_image_after_each_tick() -> None:
+def test_state_and_positions_are_in_the_image_after_each_tick() -> None:
     """G00 X10: after 50 ticks X is half way, at 200 mm/s, with 5 mm to go (MO-14)."""
     memory = running("N7 G00 X10\nM30")
     memory.controller.step(50)
@@ -210,7 +210,7 @@ def test_the_sequence_counts_two_for_each_tick() -> None:
     assert memory.header["sequence"] == before + 14
 
 
-def test_functions_stand_in_units_until_they_are_acknowledged() -> None:
+def test_functions_stay_in_units_until_they_are_acknowledged() -> None:
     """Serial, letter, number, sequence and stamp; the slot is free in the tick after (RC-403)."""
     memory = running("#RT CYCLE\n$IF ONCE TRUE\nM101\nH102\n$ENDIF\n#RT CYCLE END\nG04 X1\nM30")
     memory.command["plc_present"] = 1
@@ -253,7 +253,7 @@ def test_a_unit_names_who_has_commanded_it_and_how_it_is_synchronised() -> None:
     }
 
 
-def test_what_waits_before_there_is_an_image_stands_in_it() -> None:
+def test_what_waits_before_there_is_an_image_is_in_it() -> None:
     """One function, so that nothing changes any more that would be written anew."""
     controller = Controller()
     controller.write("HLI.PLC_PRESENT", 1)
@@ -321,7 +321,7 @@ def test_a_job_of_a_plc_spindle_waits_for_its_number() -> None:
 
 
 def test_without_a_plc_the_cnc_acknowledges_spindles_too() -> None:
-    """``plc_present`` 0: the job is over in the tick behind."""
+    """``plc_present`` 0: the job is over in the next tick."""
     memory = running("S3[M3 REV=250]\nG04 X1\nM30")
     memory.controller.step(1)
     assert memory.spindles[2]["job"] == 1
@@ -345,7 +345,7 @@ def test_a_function_for_an_axis_names_it(tmp_path: Path) -> None:
     assert [one.axis for one in memory.controller.hli.functions()] == ["Z", "S2", ""]
 
 
-def test_the_tool_of_t_stands_in_a_unit(tmp_path: Path) -> None:
+def test_the_tool_of_t_is_in_a_unit(tmp_path: Path) -> None:
     """P-CHAN-00086: letter 3, the channel's; its serial in the PLC's place frees the program."""
     folder = tmp_path / "machine"
     shutil.copytree(DEMO, folder)
@@ -512,7 +512,7 @@ def test_a_process_that_nobody_has_is_not_watched(process: int) -> None:
     watch.close()
 
 
-def test_a_partner_that_never_comes_is_told() -> None:
+def test_a_partner_that_never_comes_is_reported() -> None:
     """900650 before the first tick."""
     with pytest.raises(PlcError) as caught:
         PartnerPlc(Memory(Controller()).image, lambda _: False).await_presence()

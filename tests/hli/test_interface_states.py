@@ -283,7 +283,7 @@ def test_a_plc_that_shows_no_sign_of_life_stops_its_channel() -> None:
 
 
 def test_a_stale_or_forged_done_acknowledges_nothing() -> None:
-    """The unit of the next function is another one; a TRUE that stands there is not its."""
+    """The next function has another unit; a TRUE already in it is not its own."""
     controller = Controller()
     controller.write(PRESENT, 1.0)
     unit = f"{CHANNEL}.techno_unit_std_sync[0]"

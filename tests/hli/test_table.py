@@ -19,7 +19,7 @@ def test_a_path_is_found_with_and_without_the_name_of_its_list() -> None:
     assert found.effect == table.SHOWS
 
 
-def test_members_stand_at_multiples_of_their_size() -> None:
+def test_members_are_at_multiples_of_their_size() -> None:
     """ST-330; the structures as a client library declares them."""
     record = table.structure("HLI_M_H_PROZESS")
     places = {member.name: member.offset for member in record.members}
@@ -34,7 +34,7 @@ def test_members_stand_at_multiples_of_their_size() -> None:
             assert member.offset % member.type.alignment == 0, (type_.name, member.name)
 
 
-def test_an_element_of_an_array_stands_behind_the_one_before() -> None:
+def test_an_element_of_an_array_stands_after_the_one_before() -> None:
     first, second = (
         table.find(f"gpCh[0]^.hb_mc_control.key[{i}].command_w.direction") for i in (0, 1)
     )
@@ -62,7 +62,9 @@ def test_names_of_the_older_generation_count_from_one() -> None:
         ("gpCh[x]^.head.plc_present_w", "902100", "x"),
     ],
 )
-def test_an_unknown_path_is_told_with_the_nearest_one(path: str, number: str, word: str) -> None:
+def test_an_unknown_path_is_reported_with_the_nearest_one(
+    path: str, number: str, word: str
+) -> None:
     with pytest.raises(Failure) as caught:
         table.find(path)
     assert number in str(caught.value)

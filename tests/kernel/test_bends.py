@@ -60,18 +60,18 @@ def test_a_corner_that_is_as_fast_without_a_bend_stays() -> None:
     assert np.hypot(places[:, 0] - 50, places[:, 1]).min() == 0.0
 
 
-def test_what_stands_between_the_blocks_comes_behind_the_bend() -> None:
+def test_commands_between_the_blocks_come_after_the_bend() -> None:
     """The bend belongs to its first block; a message between the blocks comes after it."""
     lines = 'G01 X50 F12000\n#MSG ["x"]\nY50\nM30'
     run, places = performed(f"{SLOPE}\nG261\n{lines}")
-    told = [event.tick for event in run.events if event.kind == "message"]
-    assert len(told) == 1
+    reported = [event.tick for event in run.events if event.kind == "message"]
+    assert len(reported) == 1
     half = 6.0 / math.sqrt(2.0)
-    assert places[told[0] - 2][1] < half <= places[told[0]][1]
-    assert places[told[0]][1] < half + 0.5
+    assert places[reported[0] - 2][1] < half <= places[reported[0]][1]
+    assert places[reported[0]][1] < half + 0.5
 
 
-def test_single_block_stands_behind_the_bend() -> None:
+def test_single_block_stops_after_the_bend() -> None:
     """MO-6: where the block ends, and nowhere before."""
 
     class Pressed:

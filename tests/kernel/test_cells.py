@@ -23,8 +23,8 @@ def names(prefix: str, paths: Iterable[str]) -> list[str]:
     return [f"{prefix}_{path.replace('.', '_').upper()}" for path in paths]
 
 
-def test_cells_of_axes_channels_and_spindles_stand_in_the_order_of_their_tables() -> None:
-    """One cell for each variable; arrays stand at the end."""
+def test_cells_of_axes_channels_and_spindles_are_in_the_order_of_their_tables() -> None:
+    """One cell for each variable; arrays come last."""
     for prefix, table in (
         ("AXIS", AXIS_VARIABLES),
         ("CHANNEL", CHANNEL_VARIABLES),
@@ -47,7 +47,7 @@ def test_each_coordinate_system_has_the_same_cells() -> None:
             assert cell == first + getattr(cells, f"SYSTEM_{value}")
 
 
-def test_cells_of_the_panel_stand_in_the_order_of_its_table() -> None:
+def test_cells_of_the_panel_are_in_the_order_of_its_table() -> None:
     """Commands, then lamps, then what concerns the tool manager."""
     paths = [one.name for one in (*PANEL, *LAMPS)]
     assert [getattr(cells, name) for name in names("PANEL", paths)] == list(
@@ -58,7 +58,7 @@ def test_cells_of_the_panel_stand_in_the_order_of_its_table() -> None:
     assert cells.PANEL_CELLS == PANEL_CELLS
 
 
-def test_words_of_a_unit_stand_where_its_structure_says() -> None:
+def test_words_of_a_unit_are_where_its_structure_says() -> None:
     """Halves of a word, then the times."""
     for name in ("serial", "letter", "number", "sequence", "axis", "value"):
         assert entry(UNIT, name).offset == HALF * getattr(cells, f"UNIT_{name.upper()}")
@@ -68,7 +68,7 @@ def test_words_of_a_unit_stand_where_its_structure_says() -> None:
     assert size_of(UNIT) == HALF * cells.UNIT_WIDTH
 
 
-def test_words_of_a_spindles_job_stand_where_its_structure_says() -> None:
+def test_words_of_a_spindles_job_are_where_its_structure_says() -> None:
     """From its number on."""
     first = entry(SPINDLE, "job").offset - HALF * cells.SPINDLE_JOB
     assert entry(SPINDLE, "function").offset == first + HALF * cells.SPINDLE_JOB_FUNCTION

@@ -90,7 +90,7 @@ def test_a_reset_at_rest_takes_one_tick() -> None:
 
 
 @pytest.mark.parametrize("ticks", [1, 5, 32, 33, 60, 200])
-def test_the_next_program_begins_where_the_axes_stand(ticks: int) -> None:
+def test_the_next_program_begins_where_the_axes_are(ticks: int) -> None:
     """After a reset at any time the following program moves from there, with its own cycles."""
     text = CYCLES + "G00 X1\n#FLUSH WAIT\nM111\nG04 X0.02\nP1 = V.E.VALUE\nG00 X100\nG00 X3\nM30"
     controller = started(text, ticks)
@@ -155,7 +155,7 @@ def test_an_error_stops_the_channel_until_a_reset() -> None:
 
 
 def test_a_program_that_starts_while_another_runs_resets_first() -> None:
-    """RC-007: the path brakes to a stand, the rest is given up, then the new program begins."""
+    """RC-007: the path brakes to a standstill, the rest is dropped, then the new program begins."""
     controller = Controller()
     controller.start(NcText("first.nc", "G00 X100\nM30"))
     controller.step(10)

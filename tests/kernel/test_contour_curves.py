@@ -134,7 +134,7 @@ def test_corners_with_arcs_are_rounded_within_the_deviation(lines: str) -> None:
     )
 
 
-def test_arcs_behind_plain_lines_have_the_same_curves() -> None:
+def test_arcs_after_plain_lines_have_the_same_curves() -> None:
     """The fast way of plain lines leaves the line before an arc to the tree."""
     lines = "G01 F6000 X10\nX20 Y5\nX30\nG2 X40 Y-10 R10\nG01 X50\nX60\nG03 X60 Y30 R20\nM30"
     slow = lines.replace("\nX", " ; P1\nX=").replace(" ; P1\nX=20", "\nX=20")

@@ -127,7 +127,7 @@ EFFECTS = {
 
 
 def expected(name: str, action: int, before: int) -> tuple[list[tuple[int, float]], int]:
-    """The table's entry, else: ABORT is told, DELETE ends, the rest has no effect but a notice."""
+    """The table's entry, else: ABORT is reported, DELETE ends, all others only give a notice."""
     if (name, action) in EFFECTS:
         return EFFECTS[(name, action)]
     if action == START:

@@ -137,7 +137,7 @@ CORNER = "#CORNER PARAM [DIST=20 UNIT=PERCENT FEED=50]\nG13\n"
         ("#SLOPE [TYPE=TRAPEZ]\n" + CORNER, {90.0: 200.0}),
     ],
 )
-def test_the_feed_falls_in_front_of_a_block_end(before: str, places: dict[float, float]) -> None:
+def test_the_feed_falls_before_a_block_end(before: str, places: dict[float, float]) -> None:
     """G13 with #CORNER PARAM (206444555, 206449675); after the end F counts again."""
     text = f"{before}G01 X100 F12000\nX200\nG12 X300\nM30"
     for place, expected in places.items():
@@ -161,7 +161,7 @@ def test_mistakes_of_corner_feeds(text: str, number: int) -> None:
     assert [error.id for error in run(f"{text}\nG01 X1 F100\nM30").errors] == [number]
 
 
-def test_corner_feeds_are_told_once_and_end_with_the_program() -> None:
+def test_corner_feeds_are_reported_once_and_end_with_the_program() -> None:
     """Note 901551; plain lines after G13 slow down as well."""
     text = CORNER + "G01 F12000\n" + "".join(f"X{x}\n" for x in range(100, 500, 100)) + "M30"
     ran = run(text)

@@ -123,7 +123,7 @@ def test_mistakes(command: str, number: int) -> None:
     assert [error.id for error in run.errors] == [number]
 
 
-def test_what_is_decided_is_told_once() -> None:
+def test_what_is_decided_is_reported_once() -> None:
     """Notes: the meaning of WAXIS and factors, the default, splines that F ignores groups for."""
     text = (
         "#FGROUP WAXIS\n#FGROUP WAXIS\n#FGROUP [X=2]\n#FGROUP\n#FGROUP\n#FGROUP [X]\n"

@@ -141,7 +141,7 @@ def test_a_main_program_waits_for_a_free_slot() -> None:
     assert run.trace["BLOCK"].tolist().index(10.0) == 6
 
 
-def test_nobody_answers_and_the_program_waits_for_ever() -> None:
+def test_nobody_answers_and_the_program_waits_forever() -> None:
     """Without acknowledgement M111 holds its program until the run's limit."""
     run = Controller(DEMO).run(NcText("p.nc", "M111\nG00 X1\nM30"), plc=silent(), ticks=500)
     assert run.state == "limit"

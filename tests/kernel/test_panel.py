@@ -16,7 +16,7 @@ MOVES = NcText("p.nc", "N10 G00 X10\nN20 G00 X20\nM30")
 
 
 def test_single_block_stops_at_the_end_of_a_block_that_others_pass() -> None:
-    """A block end at 100 mm/s becomes a stand, bit for bit at its end; START goes on (MO-6)."""
+    """A block end at 100 mm/s becomes a stop, bit for bit at its end; START continues (MO-6)."""
     rig = Rig()
     panel = rig.channel.panel
     panel.begin_program()

@@ -180,7 +180,7 @@ def test_a_block_end_is_passed_with_the_override_that_holds() -> None:
     assert_within_limits(rig.x, 50.0)
 
 
-def test_an_override_step_behind_a_block_end_counts_the_carried_time_once() -> None:
+def test_an_override_step_after_a_block_end_counts_the_carried_time_once() -> None:
     """In the tick after a passed block end a new limit goes on from where the axes are."""
     rig = Rig()
     rig.segment(1.05, speed=100.0, end_speed=91.0, exact_stop=False)
@@ -259,7 +259,7 @@ def test_commands_between_passed_blocks_are_taken_in_the_next_tick() -> None:
     assert_within_limits(rig.x)
 
 
-def test_a_block_cycle_in_front_of_a_passed_block_runs_with_it() -> None:
+def test_a_block_cycle_before_a_passed_block_runs_with_it() -> None:
     """The cycle is taken in the tick after the block end, and runs while the block is current."""
     rig = Rig()
     rig.segment(10.0, speed=100.0, end_speed=100.0, exact_stop=False)
@@ -276,7 +276,7 @@ def test_a_block_cycle_in_front_of_a_passed_block_runs_with_it() -> None:
     assert made.runs == tick - 1 - begins
 
 
-def test_a_block_cycle_in_front_of_a_block_within_a_tick_runs_once() -> None:
+def test_a_block_cycle_before_a_block_within_a_tick_runs_once() -> None:
     """A block blended away inside one tick gives one run in the next tick (RC-105)."""
     rig = Rig()
     rig.segment(10.0, speed=100.0, end_speed=100.0, exact_stop=False)
@@ -289,7 +289,7 @@ def test_a_block_cycle_in_front_of_a_block_within_a_tick_runs_once() -> None:
     assert rig.channel.manager.running_count == 0
 
 
-def test_a_segment_that_does_not_start_where_the_axes_stand_is_refused() -> None:
+def test_a_segment_that_does_not_start_at_the_axes_is_refused() -> None:
     """The path never jumps: an error instead (RC-409)."""
     rig = Rig()
     rig.segment(1.0)

@@ -217,7 +217,7 @@ def test_mistakes_of_hsc(text: str, number: int) -> None:
     assert [found.id for found in run(text + "M30").errors][:1] == [number]
 
 
-def test_hsc_is_told_once() -> None:
+def test_hsc_is_reported_once() -> None:
     """Note 901551, and one for each keyword without effect."""
     done = run("#HSC ON [BSPLINE PATH_DEV=0.1 MERGE=1]\n#HSC OFF\n#HSC ON\nM30")
     assert [found.id for found in done.diagnostics] == [901551, 901551]

@@ -69,7 +69,7 @@ def test_single_block_that_was_taken_back_long_ago_does_not_count(feed: int, bra
 
 
 @pytest.mark.parametrize("every", [2, 5])
-def test_a_hold_while_single_block_stops_the_path_in_front_of_a_bend(every: int) -> None:
+def test_a_hold_while_single_block_stops_the_path_before_a_bend(every: int) -> None:
     """MO-1, MO-6: held again and again while it brakes for the end of N10, the path stops there.
 
     Rounding had it that the stop came 1e-14 mm too late; the path was to come to the bend with a

@@ -108,7 +108,7 @@ def test_an_end_speed_that_cannot_be_gained_is_lowered(
 
 @often
 @given(lengths, limits, limits, accelerations)
-def test_a_stop_on_a_short_rest_goes_on_behind_its_end(
+def test_a_stop_on_a_short_rest_goes_on_after_its_end(
     length: float, start: float, end: float, slope: float
 ) -> None:
     """With a limit of 0 the path brakes at its slope, and passes the end where it must (MO-6)."""
@@ -131,7 +131,7 @@ def test_a_stop_on_a_short_rest_goes_on_behind_its_end(
 
 @often
 @given(some_speeds, some_speeds, limits)
-def test_no_way_takes_no_time(start: float, end: float, limit: float) -> None:
+def test_no_travel_takes_no_time(start: float, end: float, limit: float) -> None:
     """A rest of nothing, or less by a rounding, ends at once, also from a standstill."""
     for length in (0.0, -1e-17):
         profile = planned(length, start, end, limit, 4000.0)

@@ -91,7 +91,7 @@ def differences(one: object, other: object) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("name", run_folders.FOLDERS[::EACH])
-def test_a_part_put_back_behind_a_run_is_a_new_one(
+def test_a_part_put_back_after_a_run_is_a_new_one(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """After the runs of the folders, with their own channels, lists, PLC and schedules."""
@@ -102,7 +102,7 @@ def test_a_part_put_back_behind_a_run_is_a_new_one(
 
 
 @pytest.mark.parametrize("seed", all_seeds(compiled=0, plain=3))
-def test_a_part_put_back_behind_a_random_program_is_a_new_one(seed: int) -> None:
+def test_a_part_put_back_after_a_random_program_is_a_new_one(seed: int) -> None:
     """And after half of it, with cycles that still run."""
     lent = Lent()
     controller = lent.controller()

@@ -36,7 +36,7 @@ class AxesRig(Rig):
         self.axis = axis
         self.single = self.machine.single_axes
         self.places: list[float] = []
-        self.told: list[tuple[int, str]] = []
+        self.reported: list[tuple[int, str]] = []
         self._decoder = EventDecoder(1000, self.machine.registry)
 
     def run(self, ticks: int) -> list[float]:
@@ -46,7 +46,7 @@ class AxesRig(Rig):
             self.machine.kernel.run(1)
             tick = len(self.places)
             rows = self._decoder.decode(self.machine.record.take_events())
-            self.told += [(tick, str(event)) for event in rows]
+            self.reported += [(tick, str(event)) for event in rows]
             self.machine.record.take_probes()
             self.places.append(self.machine.axes.positions()[self.axis])
         return self.places[before:]
@@ -88,7 +88,7 @@ def test_a_trapezoid_by_hand() -> None:
     assert rig.places[24] == pytest.approx(1.25)
     assert rig.places[49] == pytest.approx(3.75)
     assert rig.places[124] == 10.0
-    assert rig.told == [(0, "axis Z begun 10"), (124, "axis Z done")]
+    assert rig.reported == [(0, "axis Z begun 10"), (124, "axis Z done")]
 
 
 def test_states_of_a_motion() -> None:
@@ -103,7 +103,7 @@ def test_states_of_a_motion() -> None:
     assert rig.state() == STOPPING
     rig.run_to_stand()
     assert rig.state() == STANDSTILL
-    assert [text for _, text in rig.told] == [
+    assert [text for _, text in rig.reported] == [
         "axis Z begun 100",
         "axis Z aborted",
         "axis Z stopped",
@@ -131,7 +131,7 @@ def test_aborting_takes_over_the_speed() -> None:
     assert rig.places[-1] == -5.0
 
 
-def test_buffered_begins_in_the_tick_behind() -> None:
+def test_buffered_begins_in_the_tick_after() -> None:
     """The waiting motion begins where the first one ends, with an exact stop between (MO-14)."""
     rig = AxesRig()
     rig.absolute(10.0, 100.0)
@@ -172,7 +172,7 @@ def test_endless_and_the_motion_that_waits_for_its_speed() -> None:
 
 
 def test_endless_at_a_software_limit() -> None:
-    """RC-405: brakes to stand on the limit, then an error; ErrorStop until a reset."""
+    """RC-405: brakes to a stop at the limit, then an error; ErrorStop until a reset."""
     rig = AxesRig()
     rig.absolute(9990.0)
     rig.run_to_stand()
@@ -181,7 +181,7 @@ def test_endless_at_a_software_limit() -> None:
     assert rig.places[-1] == 10_000.0
     assert rig.state() == ERROR_STOP
     assert rig.absolute(0.0) == 60213
-    assert [text for _, text in rig.told[-3:]] == [
+    assert [text for _, text in rig.reported[-3:]] == [
         "axis Z begun positive",
         "error 1702",
         "axis Z failed",
@@ -200,7 +200,7 @@ def test_a_target_beyond_a_limit_moves_nothing() -> None:
     assert rig.absolute(10_000.5) == 60158
     assert rig.single.relative(Z, -10_000.5, 500.0, ABORTING, OWNER) == 60159
     assert rig.run(3) == [0.0, 0.0, 0.0]
-    assert rig.told == []
+    assert rig.reported == []
 
 
 def test_hold_and_continue() -> None:
@@ -226,7 +226,7 @@ def test_hold_and_continue() -> None:
     assert_no_step(rig.places, top=100.0)
 
 
-def test_hold_of_a_motion_that_waits_behind_another_owners() -> None:
+def test_hold_of_a_motion_that_waits_after_another_owners() -> None:
     """RC-111: the other owner's goes on; the waiting one begins held, and CONTINUE lets it go."""
     rig = AxesRig()
     rig.single.absolute(Z, 10.0, 100.0, ABORTING, SHORTEST, OWNER + 1)
@@ -242,7 +242,7 @@ def test_hold_of_a_motion_that_waits_behind_another_owners() -> None:
     assert rig.run_to_stand() == 125
     assert rig.places[-1] == 20.0
     assert_no_step(rig.places, top=100.0)
-    assert [text for _, text in rig.told[1:]] == [
+    assert [text for _, text in rig.reported[1:]] == [
         "axis Z done",
         "axis Z begun 20",
         "axis Z held",
@@ -272,7 +272,7 @@ def test_the_error_of_an_axis_without_a_channel(tmp_path: Path) -> None:
     rig = AxesRig(machine=fewer)
     assert rig.single.velocity(Z, 500.0, 1, ABORTING, OWNER) == 0
     rig.run(20_200)
-    assert rig.told[-1][1] == "axis Z failed"
+    assert rig.reported[-1][1] == "axis Z failed"
     assert (rig.state(), rig.single.fault_of(Z)) == (ERROR_STOP, 1702)
     assert rig.single.faults.open_count == 0
     assert not rig.channel.executor.is_stopped
@@ -295,7 +295,7 @@ def test_abort_drops_held_and_waiting_motions() -> None:
     rig.run(5)
     assert rig.state() == STANDSTILL
     assert rig.places[-1] == pytest.approx(5.0)
-    texts = [text for _, text in rig.told]
+    texts = [text for _, text in rig.reported]
     assert texts == ["axis Z begun 10", "axis Z held", *["axis Z aborted"] * 2, "axis Z stopped"]
 
 
@@ -364,13 +364,13 @@ def test_the_path_does_not_take_an_axis_in_motion() -> None:
     rig.run(3)
     rig.segment(10.0)
     rig.run(1)
-    assert rig.told[-1][1] == "error 50766"
+    assert rig.reported[-1][1] == "error 50766"
     rig.channel.clear_error()
     rig.run_to_stand()
     assert rig.places[-1] == 5.0
 
 
-def test_reset_brakes_and_ends_when_all_stands() -> None:
+def test_reset_brakes_and_ends_at_standstill() -> None:
     """RC-007: 40 mm/s take 10 ticks to brake; the reset is over when the axis is at rest."""
     rig = AxesRig()
     rig.absolute(100.0)
@@ -476,7 +476,7 @@ def test_which_override_a_motion_follows(mode: int, ticks: int) -> None:
     assert rig.run_to_stand() == ticks
 
 
-def test_at_zero_percent_the_motion_stands_and_goes_on() -> None:
+def test_at_zero_percent_the_motion_stops_and_continues() -> None:
     """MO-11: override 0 brakes to a standstill, the motion stays; with 100 % it goes on."""
     rig = AxesRig()
     rig.absolute(10.0, 100.0)

@@ -129,7 +129,7 @@ def test_the_goal_of_a_walk_is_in_its_row() -> None:
     assert history.goal_row[rows.ROUNDING_LENGTH] == 1.0
 
 
-def test_a_record_has_no_room_behind_its_last_row() -> None:
+def test_a_record_has_no_room_after_its_last_row() -> None:
     """Rows, events and probes each end the room; nothing is lost."""
     record = Record(bytearray(80), row_capacity=2, event_capacity=3, probe_capacity=4)
     record.select([0])
@@ -297,7 +297,7 @@ def test_single_block_stops_in_a_block_that_has_no_room_to_stop_in(
     path: Any = SimpleNamespace(
         row=0, history_rows=row, speed_v=3.0, jerk_profile=SimpleNamespace(course=course)
     )
-    assert KernelPath.stands_in_single_block(path, 5.0) == stands
+    assert KernelPath.stops_in_single_block(path, 5.0) == stands
 
 
 def test_more_is_decoded_only_below_the_low_water() -> None:

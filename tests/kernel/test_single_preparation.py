@@ -232,7 +232,7 @@ def jerk_limited(axes: int = 2) -> LookAhead:
 
 
 @pytest.mark.parametrize(("is_rounded", "speed"), [(True, 50.0), (False, 1e300)])
-def test_a_straight_segment_behind_a_rounding_takes_three_ticks(
+def test_a_straight_segment_after_a_rounding_takes_three_ticks(
     is_rounded: bool, speed: float
 ) -> None:
     """0.15 mm in 3 ms; without a rounding nothing limits the speed where nothing turns."""
@@ -291,7 +291,7 @@ def test_from_a_line_into_an_arc_the_jerk_of_the_step_is_used_up() -> None:
         ((60.0, 100.0), (0, 0), 20.0, (20.0, rows.LIMIT_GOAL)),
     ],
 )
-def test_what_slows_the_path_in_front_of_a_segment(
+def test_what_slows_the_path_before_a_segment(
     feeds: tuple[float, float],
     exempt: tuple[int, int],
     corner_v: float,
@@ -321,7 +321,7 @@ def test_what_slows_the_path_in_front_of_a_segment(
     assert found == ([] if moved is None else [moved])
 
 
-def test_a_rounding_has_the_pace_of_the_segment_in_front_of_it() -> None:
+def test_a_rounding_has_the_pace_of_the_segment_before_it() -> None:
     """Its block, its feed, twice the half; both lines are shortened and meet it."""
     ahead = jerk_limited()
     both = segments(2)
@@ -350,7 +350,7 @@ def test_a_rounding_has_the_pace_of_the_segment_in_front_of_it() -> None:
 def test_a_rounding_is_made_where_it_fits_and_saves_time(
     speed: float, saves: int, made: int
 ) -> None:
-    """Neither a corner that is passed as fast nor one that a stand passes sooner has one."""
+    """Neither a corner that is passed as fast nor one that a stop passes sooner has one."""
     ahead = jerk_limited()
     rounding: Any = ahead.rounding
     both = segments(2)

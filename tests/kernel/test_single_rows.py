@@ -253,7 +253,7 @@ def test_a_promise_is_broken_by_less_acceleration_or_jerk(change: int, keeps: in
         capacity=2,
         width=200,
         blocks=10,
-        limits=SimpleNamespace(stand_at_end=lambda *_: None, speed_of=lambda *_: 1.0),
+        limits=SimpleNamespace(stop_at_end=lambda *_: None, speed_of=lambda *_: 1.0),
         goal=SimpleNamespace(load=lambda *_: None, store=lambda *_: 1),
         carry_back=lambda *_: None,
         take_over=lambda *_: change,
@@ -264,7 +264,7 @@ def test_a_promise_is_broken_by_less_acceleration_or_jerk(change: int, keeps: in
 
 
 @pytest.mark.parametrize(("rounding_d", "is_in_time"), [(0.0, False), (1.0, True)])
-def test_an_acceleration_settles_in_front_of_a_rounding_only(
+def test_an_acceleration_settles_before_a_rounding_only(
     rounding_d: float, is_in_time: bool
 ) -> None:
     """Elsewhere the path stops after the segment where it cannot stop on it."""
@@ -328,7 +328,7 @@ def test_a_braking_distance_counts_from_the_highest_speed(jerk: float, more: flo
 
 
 @pytest.mark.parametrize(("length", "carried_a"), [(1.5, 30.0), (0.5, 7.0)])
-def test_on_the_way_back_an_acceleration_fades_in_front_of_a_rounding(
+def test_on_the_way_back_an_acceleration_fades_before_a_rounding(
     length: float, carried_a: float
 ) -> None:
     """10 mm/s · 30 mm/s² / 300 mm/s³ is 1 mm: a shorter segment has the rounding's limits."""

@@ -172,7 +172,7 @@ def test_the_way_back_is_the_same_curve(slope: str) -> None:
 
 
 def test_a_realtime_loop_repeats_a_spline() -> None:
-    """Page 791740171: #SPLINE ON and OFF may stand in a loop."""
+    """Page 791740171: #SPLINE ON and OFF may be in a loop."""
     body = "#SPLINE ON X10\nX20 Y10\nX10 Y20\nX0 Y10\nX0 Y0\n#SPLINE OFF\n"
     cycle = (
         "V.RTG.LOOP.ENABLED = TRUE\n#RT CYCLE [ID=1]\n$IF V.RTG.LOOP.COUNT >= 2\n"

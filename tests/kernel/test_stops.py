@@ -70,7 +70,7 @@ def stopping_ticks(stop: Stop, controller: Controller, run: ProgramRun) -> list[
     return ticks
 
 
-def test_a_condition_that_becomes_true_stops_behind_its_first_tick() -> None:
+def test_a_condition_that_becomes_true_stops_after_its_first_tick() -> None:
     """An input of 20 ms is latched by tick 20 (RC-002), after which the variable has it."""
     controller, run = begun()
     stop = BecomesTrue(cell(controller, "V.E.VALUE"), 1, ALWAYS, 1)

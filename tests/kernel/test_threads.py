@@ -328,7 +328,7 @@ def test_a_reset_frees_the_spindle_of_a_thread() -> None:
     assert max(errors(result, 30, 5.0, 2.0, 20.0)) < SHARE
 
 
-def test_a_spindle_that_reverses_or_a_thread_without_speed_is_told() -> None:
+def test_a_spindle_that_reverses_or_a_thread_without_speed_is_reported() -> None:
     """901511: the thread ends there; 901512: its way is shorter than both ramps."""
     cycle = "#RT CYCLE [ID=1 SCOPE=GLOBAL]\n$IF ONCE [V.E.COUNT == 1]\nS[M4 REV=300]\n$ENDIF\n"
     text = f"{cycle}#RT CYCLE END\n" + THREAD.format(speed=600, pitch=2, offset=0)
@@ -339,7 +339,7 @@ def test_a_spindle_that_reverses_or_a_thread_without_speed_is_told() -> None:
 
 
 @pytest.mark.parametrize(("coupling", "speed"), [(0, 10.0), (1, 5.0)])
-def test_feed_per_revolution_follows_the_spindle_as_told(coupling: int, speed: float) -> None:
+def test_feed_per_revolution_follows_the_spindle_as_commanded(coupling: int, speed: float) -> None:
     """#TURN [ROT_FEED_CPL=0]: F x S at once; 1: the spindle is at half its speed after 51 ms."""
     text = f"#TURN [ROT_FEED_CPL={coupling}]\nN10 G95 F1 M3 S600\nN20 G01 X10\nM30"
     speeds = [v for (v,) in rows_of(run(text), 20, "PATH.SPEED")]

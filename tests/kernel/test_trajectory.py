@@ -112,7 +112,7 @@ def test_a_short_way_with_jerk_only() -> None:
     assert plans.at(0.4) == pytest.approx((8.0, 40.0, 0.0), abs=1e-6)
 
 
-def test_no_way_takes_no_time() -> None:
+def test_no_travel_takes_no_time() -> None:
     """A target where the axis is at rest."""
     plans = Trajectories(1)
     assert plans.prepare_distance(0.0, 0.0, 0.0, 500.0, 4000.0, 0.0) == 0.0

@@ -62,7 +62,7 @@ def time_s(length: float, speed: float = 500.0, acceleration: float = 4000.0) ->
         # The maxima of the axis cap them (P-AXIS-00212, P-AXIS-00008).
         ("G128=200 G129=200", "G00", 500.0, 4000.0),
         ("G131=300", "G01", 500.0, 4000.0),
-        # Positions may stand in the block of a weight of all axes (206578955).
+        # Positions may be in the block of a weight of all axes (206578955).
         ("G01 F60000", "G129=50 G00", 250.0, 4000.0),
     ],
 )

@@ -282,7 +282,7 @@ def test_interrupts_that_do_not_come(tmp_path: Path, capsys: Capture) -> None:
 
 
 def test_external_thread_played_by_the_run(tmp_path: Path, capsys: Capture) -> None:
-    """--stand-in: a process of the run waits on the semaphore and works as the load says."""
+    """--stand-in: a process of the run waits on the semaphore and works as the load describes."""
     name = fresh_name()
     words = write_files(tmp_path, semaphore=name)
     run(*words, "--cycles", "8", "--stand-in", "--quiet")
@@ -306,8 +306,8 @@ def test_semaphore_that_nobody_waits_on(tmp_path: Path, capsys: Capture) -> None
     words = write_files(tmp_path, semaphore=name, task_rnd=100_000)
     run(*words, "--cycles", "12", "--no-fifo")
     err = capsys.readouterr().err
-    told = next(line for line in err.splitlines() if "warning 900699" in line)
-    assert f"'/{name}'" in told
+    reported = next(line for line in err.splitlines() if "warning 900699" in line)
+    assert f"'/{name}'" in reported
     assert "warning 900636: BACKGROUND hardly ever finishes" in err
     assert f"900636: {name}" not in err
 
@@ -335,10 +335,10 @@ def test_the_example_in_c(tmp_path: Path, capsys: Capture) -> None:
     words = write_files(tmp_path, semaphore=name)
     with subprocess.Popen([program, f"/{name}"], stdout=subprocess.PIPE, text=True) as process:
         run(*words, "--cycles", "25", "--quiet")
-        told = process.communicate(timeout=30)[0]
+        reported = process.communicate(timeout=30)[0]
     done = counts(capsys.readouterr().out, name)["done"]
     # A wake-up that was given and not yet taken at the end may still be taken.
-    assert 1 <= done <= int(told.split()[1]) <= done + 1
+    assert 1 <= done <= int(reported.split()[1]) <= done + 1
 
 
 def test_semaphore_of_somebody_else(tmp_path: Path, capsys: Capture) -> None:
@@ -371,7 +371,7 @@ def test_ctrl_c(tmp_path: Path) -> None:
     with started(*write_files(tmp_path, semaphore=name), "--duration", "60s") as process:
         scheduler, workers = tree_of(process)
         wait_for(lambda: Semaphore(name).count >= 2)
-        os.killpg(process.pid, signal.SIGINT)  # a terminal tells all processes of the group
+        os.killpg(process.pid, signal.SIGINT)  # a terminal signals all processes of the group
         out, err = process.communicate(timeout=30)
     assert process.returncode in (0, 1)
     assert "note 900693: stopped after " in err

@@ -46,7 +46,7 @@ ENTRIES = (
     ENTRIES,
     ids=[f"{file}: {entry:.40}" for file, entry, _ in ENTRIES],
 )
-def test_an_entry_of_absurd_size_is_told(
+def test_an_entry_of_absurd_size_is_reported(
     tmp_path: Path, file: str, entry: str, expected: set[int]
 ) -> None:
     """A count, an index, a number, a text, a name or a path of elements beyond all bounds."""

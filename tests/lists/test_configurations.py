@@ -317,8 +317,8 @@ def test_the_tolerance_widens_the_software_limits(
 ) -> None:
     """P-AXIS-00179: for an axis that is at 0; the limits of commands are as they were."""
     text = f"kenngr.swe_neg {low}\nkenngr.swe_pos {high}\nkenngr.swe_toleranz {tolerance}\n"
-    made, told = axis(text)
-    assert told == found
+    made, reported = axis(text)
+    assert reported == found
     assert (made.software_limit_low, made.software_limit_high) == (low / 10_000, high / 10_000)
 
 

@@ -18,7 +18,7 @@ RTCONF = (
 )
 
 
-def told(folder: Path, files: dict[str, str]) -> list[str]:
+def reported(folder: Path, files: dict[str, str]) -> list[str]:
     """What loading the folder reports, but for notes: place, number, text."""
     standard = {"hochlauf.lis": STARTUP, "kanal.lis": CHANNEL, "x.lis": "kopf.achs_nr 1\n"}
     for name, text in {**standard, "rt.lis": RTCONF, **files}.items():
@@ -35,7 +35,7 @@ def told(folder: Path, files: dict[str, str]) -> list[str]:
 def test_a_start_up_list_that_names_itself(tmp_path: Path) -> None:
     """The entry leads back to the list it is in."""
     text = STARTUP + "werkz_data[0] ./HOCHLAUF.lis\n"
-    (found,) = told(tmp_path, {"hochlauf.lis": text})
+    (found,) = reported(tmp_path, {"hochlauf.lis": text})
     assert found == (
         "6: 900744 lists refer to each other in a circle: hochlauf.lis → hochlauf.lis; "
         "the reference is not followed"
@@ -49,7 +49,7 @@ def test_start_up_lists_that_name_each_other(tmp_path: Path) -> None:
         "b.lis": "kanal_anzahl 1\nsda_mds[0] c.lis\n",
         "c.lis": "zahl_mds 1\nachs_mds[0] hochlauf.lis\n",
     }
-    (found,) = told(tmp_path, files)
+    (found,) = reported(tmp_path, files)
     assert found.startswith("6: 900744 ")
     assert "hochlauf.lis → b.lis → c.lis → hochlauf.lis;" in found
 
@@ -60,7 +60,7 @@ def test_a_circle_that_does_not_lead_back_ends(tmp_path: Path) -> None:
         "hochlauf.lis": STARTUP + "ve_var[0] b.lis\n",
         "b.lis": "kanal_anzahl 1\nsda_mds[0] b.lis\n",
     }
-    (found,) = told(tmp_path, files)
+    (found,) = reported(tmp_path, files)
     assert found == (
         "6: 900745 b.lis is ignored: it has no entries of the kind Variables list, "
         "but some of Start-up list"
@@ -73,20 +73,20 @@ def test_a_circle_that_does_not_lead_back_ends(tmp_path: Path) -> None:
 )
 def test_a_list_of_another_kind_is_left_out(tmp_path: Path, entry: str, found: str) -> None:
     """None of its entries belongs there, and some belong elsewhere."""
-    (told_text,) = told(tmp_path, {"hochlauf.lis": f"{STARTUP}{entry}\n"})
-    assert told_text.startswith("6: 900745 ")
-    assert told_text.endswith(found)
+    (reported_text,) = reported(tmp_path, {"hochlauf.lis": f"{STARTUP}{entry}\n"})
+    assert reported_text.startswith("6: 900745 ")
+    assert reported_text.endswith(found)
 
 
 def test_a_list_with_unknown_entries_only_is_taken(tmp_path: Path) -> None:
-    """Unknown entries tell nothing of the list's kind."""
+    """Unknown entries say nothing about the list's kind."""
     files = {"hochlauf.lis": STARTUP + "ve_var[0] v.lis\n", "v.lis": "our.own[3].key 1\n"}
-    (warning,) = told(tmp_path, files)
+    (warning,) = reported(tmp_path, files)
     assert warning.startswith("1: 900008 ")
 
 
 def test_one_list_for_two_axes_is_no_circle(tmp_path: Path) -> None:
     """The second axis has the number of the first: that is reported, and no more."""
     text = STARTUP.replace("zahl_mds 1", "zahl_mds 2") + "achs_mds[1] x.lis\n"
-    found = told(tmp_path, {"hochlauf.lis": text})
+    found = reported(tmp_path, {"hochlauf.lis": text})
     assert [one.split()[1] for one in found] == ["110064"]

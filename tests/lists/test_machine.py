@@ -449,7 +449,7 @@ def test_spindles_need_an_axis_list_unless_the_plc_turns_them(tmp_path: Path) ->
 
 
 def test_tools_and_offsets_belong_to_their_channel(tmp_path: Path) -> None:
-    """What the start-up list names for a channel is in its configuration; a missing list is told.
+    """The lists that the start-up list names for a channel are used; a missing one is reported.
 
     X is linear: 0.1 µm; the list of clamp offsets does not exist.
     """
@@ -516,8 +516,8 @@ def test_an_early_output_is_at_least_a_tick_early(
     tmp_path: Path, entries: str, found: bool
 ) -> None:
     """21203, with P-CHAN-00070 and P-CHAN-00107; the tick is 2 ms."""
-    told = load(write(tmp_path, {"kanal.lis": f"{CHANNEL}{entries}\n"}))[1]
-    assert (21203 in told) is found
+    reported = load(write(tmp_path, {"kanal.lis": f"{CHANNEL}{entries}\n"}))[1]
+    assert (21203 in reported) is found
 
 
 @pytest.mark.parametrize(("elements", "found"), [(3, []), (4, [21520])])
@@ -528,8 +528,8 @@ def test_memory_of_external_variables(tmp_path: Path, elements: int, found: list
         f"var[0].array_elements {elements}\n"
     )
     startup = f"{STARTUP}ext_var_max 1\nve_var[0] var.lis\n"
-    machine, told = load(write(tmp_path, {"hochlauf.lis": startup, "var.lis": variables}))
-    assert told == found
+    machine, reported = load(write(tmp_path, {"hochlauf.lis": startup, "var.lis": variables}))
+    assert reported == found
     (variable,) = machine.channels[0].external_variables
     assert variable.node.array_elements == elements
 
@@ -547,8 +547,8 @@ def test_a_place_outside_the_memory_is_no_variable(
         f"var[0].byte_offset {offset}\n"
     )
     startup = f"{STARTUP}ext_var_max 1\nve_var[0] var.lis\n"
-    machine, told = load(write(tmp_path, {"hochlauf.lis": startup, "var.lis": variables}))
-    assert told == found
+    machine, reported = load(write(tmp_path, {"hochlauf.lis": startup, "var.lis": variables}))
+    assert reported == found
     assert len(machine.channels[0].external_variables) == (0 if found else 1)
 
 
@@ -563,8 +563,8 @@ def test_a_list_that_is_no_text(tmp_path: Path, name: str) -> None:
         found = error.diagnostics
     else:
         found = machine.diagnostics
-    told = [one for one in found if one.id == 900581]
-    assert [one.span.file for one in told if one.span] == [(tmp_path / "hochlauf.lis").as_posix()]
+    these = [one for one in found if one.id == 900581]
+    assert [one.span.file for one in these if one.span] == [(tmp_path / "hochlauf.lis").as_posix()]
     assert {one.id for one in found} <= {900581, 20312, 900068, 900077}
 
 
@@ -585,5 +585,5 @@ def test_a_text_with_nuls_is_no_binary_file(tmp_path: Path, text: str) -> None:
 def test_an_empty_channel_list(tmp_path: Path) -> None:
     """A channel without an axis is reported at its list."""
     machine = load_machine(write(tmp_path, {"kanal.lis": ""}))
-    (told,) = machine.diagnostics
-    assert (told.id, told.span and Path(told.span.file).name) == (900818, "kanal.lis")
+    (reported,) = machine.diagnostics
+    assert (reported.id, reported.span and Path(reported.span.file).name) == (900818, "kanal.lis")

@@ -75,9 +75,9 @@ def test_where_the_check_finds_no_error_the_machine_runs(tmp_path: Path, seeds: 
     for seed in seeds:
         chance = Random(seed)
         lists = mutated(DEMO, chance)
-        told = outcome(lists, chance.choice(PROGRAMS), tmp_path / str(seed))
-        if told:
-            wrong.append(f"seed {seed}: {told}")
+        reported = outcome(lists, chance.choice(PROGRAMS), tmp_path / str(seed))
+        if reported:
+            wrong.append(f"seed {seed}: {reported}")
     assert wrong == []
 
 

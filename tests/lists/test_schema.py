@@ -212,7 +212,7 @@ def test_entries_without_effect_are_silent_at_their_default() -> None:
     assert load(CHANNEL, text, detail="all")[1] == [900018, 900026, 900026]
 
 
-def test_what_would_change_a_run_is_told_once_for_the_file() -> None:
+def test_what_would_change_a_run_is_reported_once_for_the_file() -> None:
     """One finding names the entries; with "effects" each has one of its own."""
     text = (
         "mode_exact_stop_indp_axis 1\ncorr_v_trans_jerk 1\n"
@@ -387,6 +387,6 @@ def test_a_value_out_of_range_names_entry_and_value_of_its_bound(text: str, boun
     lines = f"getriebe[0].slope_profil.tr_grenz -40000\n{text}"
     load_list(AXIS, "x.lis", lines.encode(), collector)
     (found,) = [one for one in collector.diagnostics if one.id == 110243]
-    told = f"P-AXIS-00201 (getriebe[0].dynamik.tr_min = {bound}) … 4294967295"
-    assert f"-40000 is outside {told}" in found.text()
-    assert told in found.remedy()
+    reported = f"P-AXIS-00201 (getriebe[0].dynamik.tr_min = {bound}) … 4294967295"
+    assert f"-40000 is outside {reported}" in found.text()
+    assert reported in found.remedy()

@@ -28,22 +28,22 @@ def read(schema: Schema, text: str) -> tuple[Values, Collector]:
 def tools(text: str, *linear: bool) -> tuple[dict[int, Tool], list[str]]:
     """The tools, and what was reported as ``number at line``."""
     values, collector = read(TOOLS, text)
-    return tools_configuration(values, linear, collector), told(collector)
+    return tools_configuration(values, linear, collector), reported(collector)
 
 
 def zero_offsets(text: str, axes: int = 2) -> tuple[ZeroOffsets, list[str]]:
     """The zero offsets, and what was reported."""
     values, collector = read(ZERO_OFFSETS, text)
-    return zero_offsets_configuration(values, axes, collector), told(collector)
+    return zero_offsets_configuration(values, axes, collector), reported(collector)
 
 
 def clamp_offsets(text: str) -> tuple[ClampOffsets, list[str]]:
     """The clamp offsets of two axes, and what was reported."""
     values, collector = read(CLAMP_OFFSETS, text)
-    return clamp_offsets_configuration(values, 2, collector), told(collector)
+    return clamp_offsets_configuration(values, 2, collector), reported(collector)
 
 
-def told(collector: Collector) -> list[str]:
+def reported(collector: Collector) -> list[str]:
     """Each finding with its line."""
     return [f"{one.id} at {one.span.line if one.span else 0}" for one in collector.diagnostics]
 
@@ -76,7 +76,7 @@ def test_a_tool_is_not_valid_unless_it_says_so() -> None:
 
 
 def test_tool_0_has_no_dimensions() -> None:
-    """D0 takes the dimensions away: entries of wz[0] are left out, and told if they are not 0."""
+    """D0 removes the dimensions: entries of wz[0] are left out, and reported if they are not 0."""
     found, reported = tools("wz[1].radius 1\nwz[0].laenge 5\nwz[0].radius 0\n", True)
     assert (list(found), reported) == ([1], ["900740 at 2"])
     assert tools("wz[0].laenge 0\nwz[0].ax_versatz[0] 0\n", True) == ({}, [])

@@ -141,7 +141,7 @@ def test_access_rights_are_inherited_and_can_be_overridden() -> None:
 
 
 def test_channel_variables() -> None:
-    """V.CH variables stand in the same list, under vch, and need no number of variables."""
+    """V.CH variables are in the same list, under vch, and need no number of variables."""
     text = "vch[0].name Var_name\nvch[0].type SGN08\nvch[0].array_size 0\n"
     configuration, found = load(f"{text}vch[0].synchronisation FALSE", count=None)
     assert found == []
@@ -309,7 +309,7 @@ def test_entries_without_effect() -> None:
     assert load(text)[1] == [900029]
 
 
-def test_a_type_of_another_language_is_told_with_the_one_of_lists() -> None:
+def test_a_type_of_another_language_is_reported_with_the_one_of_lists() -> None:
     """20088 names what is nearest, and the variable is kept as ignored, with both places."""
     collector = Collector()
     text = "number_used_variables 1\nvar[0].name DOOR\nvar[0].type BOOL\n"
@@ -333,7 +333,7 @@ def test_a_program_hears_why_its_variable_is_not_there(tmp_path: Path, space: st
     )
     run = Controller(machine).run(NcText("p.nc", f"{space}.DOOR = 1\nM30"))
     (error,) = [one for one in run.diagnostics if one.id == 20196]
-    told = "It is declared in ext_var1.lis:2, and ignored because of its type (line 3)."
-    assert told in error.remedy()
-    told = "Sie ist in ext_var1.lis:2 deklariert und wird wegen ihres Typs (Zeile 3) ignoriert."
-    assert told in error.remedy("de")
+    reported = "It is declared in ext_var1.lis:2, and ignored because of its type (line 3)."
+    assert reported in error.remedy()
+    reported = "Sie ist in ext_var1.lis:2 deklariert und wird wegen ihres Typs (Zeile 3) ignoriert."
+    assert reported in error.remedy("de")

@@ -137,7 +137,7 @@ def test_entities_are_refused(head: str, number: int) -> None:
         '<AX_MDS><P-AXIS-00016 Value="5"/><x y="1" y="2"/></AX_MDS>',
     ],
 )
-def test_what_stands_in_front_of_a_mistake_is_read(text: str) -> None:
+def test_entries_before_a_mistake_are_read(text: str) -> None:
     """A list that is cut off or wrong ends there, with one finding."""
     values, found = load(AXIS, text)
     assert [one.id for one in found] == [900975]

@@ -64,7 +64,7 @@ def choose_max(page: Any) -> None:
 
 @pytest.mark.nightly
 def test_a_file_that_is_deleted(browser: Any, tmp_path: Path) -> None:
-    """It is told that it is gone; the run goes on, and what cannot be loaded is refused by name."""
+    """The browser is informed; the run continues, and what cannot be loaded is refused by name."""
     path = written(tmp_path, SHORT)
     with served(str(path)) as address:
         page = opened(browser, address)
@@ -160,8 +160,8 @@ def test_a_browser_that_sleeps(browser: Any, tmp_path: Path) -> None:
         link.send("Debugger.enable")
         link.send("Debugger.pause")
         other.wait_for_timeout(12_000)  # longer than the server waits for a sign of life
-        for _ in range(200):  # it has left the pen, once its place is free
-            other.get_by_test_id("pen").click()
+        for _ in range(200):  # it has given up control, once its place is free
+            other.get_by_test_id("control").click()
             other.get_by_test_id("tick").click()
             if "before" not in other.get_by_test_id("clock").inner_text():
                 break
@@ -211,7 +211,7 @@ def test_two_browsers_and_two_branches(browser: Any, tmp_path: Path) -> None:
     with served(str(written(tmp_path, FLOOD))) as address:
         pages = opened(browser, address), opened(browser, address)
         for number, page in enumerate((*pages, *pages), 2):
-            page.get_by_test_id("pen").click()
+            page.get_by_test_id("control").click()
             page.get_by_test_id("home").click()
             expect(page.get_by_test_id("clock")).to_contain_text("before tick 0 ")
             page.get_by_test_id("tick").click()
@@ -234,7 +234,7 @@ def test_two_browsers_and_two_branches(browser: Any, tmp_path: Path) -> None:
 
 
 def test_a_browser_that_does_not_draw_is_behind() -> None:
-    """It gets nothing more until it has drawn, but that a run stands; what is not sent counts not.
+    """Until it has drawn, it gets no more than that a run has stopped; unsent data does not count.
 
     Once it has drawn what was missing it is looked at again at once.
     """

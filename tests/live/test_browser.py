@@ -165,14 +165,14 @@ def test_stops_and_automatic_acknowledgement(browser: Any, tmp_path: Path) -> No
 
 @pytest.mark.nightly
 def test_two_browsers_and_one_pen(browser: Any, tmp_path: Path) -> None:
-    """The second one watches until it takes the pen; when it is closed, the first one commands."""
+    """The second one watches until it takes control; when it is closed, the first one commands."""
     path = written(tmp_path)
     with served(str(path)) as address:
         first, second = opened(browser, address), opened(browser, address)
         second.get_by_test_id("tick").click()
         expect(second.get_by_text("Another browser has control.")).to_be_visible()
         expect(second.get_by_test_id("clock")).to_contain_text("before tick 0 ")
-        second.get_by_test_id("pen").click()
+        second.get_by_test_id("control").click()
         second.get_by_test_id("tick").click()
         for page in (first, second):
             expect(page.get_by_test_id("clock")).to_contain_text("Tick 0 ")
@@ -208,7 +208,7 @@ def test_what_one_browser_saves_the_other_one_shows(browser: Any, tmp_path: Path
         first.wait_for_timeout(500)
         first.keyboard.press("Control+s")
         expect(second.get_by_test_id("load")).to_be_visible()
-        second.get_by_test_id("pen").click()
+        second.get_by_test_id("control").click()
         second.keyboard.press("Control+s")
         expect(second.locator(".q-notification").get_by_text("901162")).to_be_visible()
         assert "F600002" in path.read_text("utf-8")

@@ -13,7 +13,7 @@ from support.random_seeds import each_seed
 
 uvicorn = pytest.importorskip("uvicorn", reason="the live page needs NiceGUI")
 
-from nctakt.live.access import connections  # noqa: E402 - behind the library that it needs
+from nctakt.live.access import connections  # noqa: E402 - after the library that it needs
 
 GET = b"GET / HTTP/1.1\r\nHost: a\r\n\r\n"
 

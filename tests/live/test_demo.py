@@ -35,9 +35,9 @@ def test_the_gate_stays_shut_while_somebody_stands_there(capsys: Any) -> None:
     assert main(words) == 0
     assert "M100      realtime cycle  1      tick 3688" in capsys.readouterr().out
     assert main([*words, *(word for one in STIMULI for word in ("--at", *one))]) == 0
-    told = capsys.readouterr()
-    assert "M100" not in told.out
-    assert "waiting for the PLC's acknowledgement of M8" in told.err
+    reported = capsys.readouterr()
+    assert "M100" not in reported.out
+    assert "waiting for the PLC's acknowledgement of M8" in reported.err
 
 
 @pytest.fixture(scope="module")

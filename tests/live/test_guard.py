@@ -92,7 +92,7 @@ def test_on_another_address(cookie: str, given: str, admitted: bool) -> None:
     assert is_admitted(THERE, headers, given) is admitted
 
 
-def test_a_taken_port_is_told() -> None:
+def test_a_taken_port_is_reported() -> None:
     """901161, with what to do."""
     with socket.socket() as taken:
         taken.bind(("127.0.0.1", 0))

@@ -88,10 +88,10 @@ def test_the_legend_has_the_log_until_its_end(browser: Any, tmp_path: Path) -> N
     ending = whole[(last - 3) % 4 : last - 2 : 4]  # three ticks before the last one
     Path(log).write_text("time_ms,Axis X ActPos\n" + "\n".join(ending), "utf-8")
     listen = """() => {
-      window.told = [];
+      window.reported = [];
       const draw = CanvasRenderingContext2D.prototype.fillText;
       CanvasRenderingContext2D.prototype.fillText = function (text, ...where) {
-        if (text.startsWith("X ") && !text.includes("…")) window.told.push(text);
+        if (text.startsWith("X ") && !text.includes("…")) window.reported.push(text);
         return draw.call(this, text, ...where);
       };
     }"""
@@ -104,14 +104,14 @@ def test_the_legend_has_the_log_until_its_end(browser: Any, tmp_path: Path) -> N
             page.get_by_role("option", name="max").click()
             page.get_by_test_id("toggle").click()
             page.wait_for_function(f"nctaktRun.run.tick === {last} && !nctaktRun.run.isPlaying")
-            page.evaluate("window.told.length = 0")
+            page.evaluate("window.reported.length = 0")
             page.set_viewport_size({"width": 1190, "height": 900})
-            page.wait_for_function("window.told.length > 0")
-            assert ("log 0" in page.evaluate("window.told.at(-1)")) == has_value
+            page.wait_for_function("window.reported.length > 0")
+            assert ("log 0" in page.evaluate("window.reported.at(-1)")) == has_value
             page.close()
 
 
-def test_a_wrong_log_is_told_before_the_page(tmp_path: Path, capfd: Any) -> None:
+def test_a_wrong_log_is_reported_before_the_page(tmp_path: Path, capfd: Any) -> None:
     """902519 with what it has; exit code 2, as of any command with an input that cannot be used."""
     from nctakt.cli import main  # noqa: PLC0415 - only this test is not in a process of its own
 

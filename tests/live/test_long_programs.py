@@ -179,6 +179,6 @@ def test_words_are_explained_in_a_long_program(page: Any) -> None:
     for _ in range(8):
         page.keyboard.press("ArrowRight")
     page.keyboard.press("F1")
-    expect(page.locator(".nc-told-here")).to_contain_text("G01")
+    expect(page.locator(".nc-tip-here")).to_contain_text("G01")
     page.keyboard.press("Escape")
-    expect(page.locator(".nc-told-here")).to_have_count(0)
+    expect(page.locator(".nc-tip-here")).to_have_count(0)

@@ -140,14 +140,14 @@ def test_structures_unfold_and_names_are_explained_by_keys(browser: Any, part: P
         expect(rows.first).to_have_attribute("aria-expanded", "true")
         page.keyboard.press("e")
         page.keyboard.press("F1")
-        told = page.get_by_test_id("plc-told")
-        expect(told).to_contain_text("VAR fbGate : FB_Gate;")
-        expect(told).to_contain_text("INT")
+        reported = page.get_by_test_id("plc-tip")
+        expect(reported).to_contain_text("VAR fbGate : FB_Gate;")
+        expect(reported).to_contain_text("INT")
         page.keyboard.press("Escape")
-        expect(told).to_be_hidden()
+        expect(reported).to_be_hidden()
         page.locator(".nc-plc-text", has_text="n : INT").hover(position={"x": 35, "y": 8})
-        expect(told).to_contain_text("VAR n : INT;")
-        expect(told).to_contain_text("cycles so far")
+        expect(reported).to_contain_text("VAR n : INT;")
+        expect(reported).to_contain_text("cycles so far")
         page.keyboard.press(".")
         expect(rows.nth(2)).to_have_text("nCount = 1")
         rows.first.click()
@@ -187,7 +187,7 @@ def test_a_text_is_changed_and_saved_by_keys(browser: Any, part: Path) -> None:
 
 
 def test_findings_while_a_text_is_typed(browser: Any, part: Path) -> None:
-    """Underlined, told at the pointer, listed with the line of the file, which a click shows."""
+    """Underlined, with a tooltip, listed with the line of the file, which a click shows."""
     with served(str(part), "--plc", str(part.parent / "Cell.plcproj")) as address:
         page = opened(browser, address)
         edit, found = page.get_by_test_id("plc-edit"), page.get_by_test_id("findings")
@@ -202,7 +202,7 @@ def test_findings_while_a_text_is_typed(browser: Any, part: Path) -> None:
         expect(found.locator(".nc-finding")).to_have_count(1)
         expect(found).to_contain_text("MAIN.TcPOU:")
         mark.hover()
-        expect(page.locator(".nc-told-finding")).to_contain_text("m")
+        expect(page.locator(".nc-tip-finding")).to_contain_text("m")
         found.locator(".nc-finding").click()
         expect(edit.locator(".cm-activeLine")).to_have_text("m := 1;")
         page.keyboard.press("Control+Home")
@@ -265,7 +265,7 @@ def test_axe_finds_nothing_serious_in_the_plc(
         page.keyboard.press("Home")
         page.keyboard.press("ArrowDown")
         page.keyboard.press("F1")
-        expect(page.get_by_test_id("plc-told")).to_contain_text("PROGRAM MAIN")
+        expect(page.get_by_test_id("plc-tip")).to_contain_text("PROGRAM MAIN")
         page.wait_for_timeout(400)
         assert serious(page, axe) == []
         page.emulate_media(color_scheme="dark")

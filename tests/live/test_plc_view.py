@@ -96,7 +96,7 @@ def test_words_of_a_line_with_entities_are_not_placed() -> None:
     assert text.words_at(4, None) == []
 
 
-def test_where_the_session_stands() -> None:
+def test_the_place_of_the_session() -> None:
     """The innermost call, those around it, stops; a fault has its own colour."""
     text = main()
     frames = tuple(

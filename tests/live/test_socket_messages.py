@@ -115,10 +115,10 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     path.write_text(PART, "utf-8")
     with served(str(path), errors=errors) as page:
         yield page
-    told = errors.read_text("utf-8")
-    assert "Traceback (most" not in told
-    assert "internal error" not in told
-    assert "\x1b" not in told
+    reported = errors.read_text("utf-8")
+    assert "Traceback (most" not in reported
+    assert "internal error" not in reported
+    assert "\x1b" not in reported
 
 
 def again(address: str) -> SocketBrowser:
@@ -188,8 +188,8 @@ def assert_obeyed(*browsers: SocketBrowser) -> float:
 
 
 @pytest.mark.parametrize(("kind", "argument"), [("travel", 700), ("nctakt_key", {"key": "."})])
-def test_a_flood_holds_nobody_up(kind: str, argument: Any, address: str) -> None:
-    """One browser sends a thousand commands; another one takes the pen, and is obeyed."""
+def test_a_flood_delays_no_one(kind: str, argument: Any, address: str) -> None:
+    """One browser sends a thousand commands; another one takes control, and is obeyed."""
     with again(address) as other, again(address) as flooding:
         flooding.press("p")
         flooding.until(lambda state: "tick" in state)

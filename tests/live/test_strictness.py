@@ -101,14 +101,14 @@ def test_strangers_garbage_and_files(tmp_path: Path) -> None:
         for path in ("../secret.txt", "%2e%2e/secret.txt", "secret.txt", "_nicegui/../secret.txt"):
             assert "secret" not in status_of(address + path)[1]
         assert status_of(address)[0] == 200
-    told = errors.read_text("utf-8")
-    assert "Traceback" not in told
-    assert told.count("JSONDecodeError") == 1
-    assert "901317" in told
+    reported = errors.read_text("utf-8")
+    assert "Traceback" not in reported
+    assert reported.count("JSONDecodeError") == 1
+    assert "901317" in reported
 
 
 @pytest.mark.nightly
-def test_a_crowd_is_told(tmp_path: Path) -> None:
+def test_a_crowd_is_reported(tmp_path: Path) -> None:
     """The twenty-first browser gets a sentence; who only fetches the page takes no place."""
     errors = tmp_path / "errors.txt"
     with served(program(tmp_path), "--lang", "de", errors=errors) as address:
@@ -128,9 +128,9 @@ def test_a_crowd_is_told(tmp_path: Path) -> None:
         while status_of(address)[0] != 200:  # a place is free some seconds after its browser went
             assert time.monotonic() < ends
             time.sleep(0.2)
-    told = errors.read_text("utf-8")
-    assert "902040" in told
-    assert "25 × eine andere Website" in told
+    reported = errors.read_text("utf-8")
+    assert "902040" in reported
+    assert "25 × eine andere Website" in reported
 
 
 def test_a_website_gets_nothing(tmp_path: Path) -> None:

@@ -87,7 +87,7 @@ def test_marks_of_the_program() -> None:
 
 
 def test_values_that_have_changed_since_the_evaluation_are_marked() -> None:
-    """The values of now stand beside those of the evaluation; an ended cycle is grey."""
+    """The present values are beside those of the evaluation; an ended cycle is grey."""
     seen = Compared(">", True, 0.75, 0.5)
     state = branch(True, count=3, seen=seen, now=Compared(">", False, 0.25, 0.5))
     *_, line, widget = view.program_marks(LINES, FILE, snapshot(state), TEXTS)
@@ -389,7 +389,7 @@ def test_a_report_is_of_its_moment() -> None:
         shared.close()
 
 
-def test_a_controller_that_is_lost_is_told_once() -> None:
+def test_a_controller_that_is_lost_is_reported_once() -> None:
     shared = SharedSession(endless, FILE, acknowledges=True)
     try:
         kill_controller(shared.session)
@@ -415,7 +415,7 @@ def test_a_page_that_did_not_keep_up_listens_anew() -> None:
         shared.do(lambda session: session.step(1))
         with shared.lock:
             for _ in range(MAX_NOTICES + 100):
-                audience.tell_of_travel()
+                audience.report_travel()
         shared.do(lambda session: session.play(1.0))
         end_s = time.monotonic() + 60
         while time.monotonic() < end_s:

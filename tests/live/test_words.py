@@ -85,10 +85,10 @@ def test_places_are_those_of_browsers() -> None:
     found = completed(place, machine, "en")
     assert {one["start"] for one in found if one["label"].startswith("G0")} == {8}
     lines = ["V.P.A = 1 (<img src=x>)", "P2 = V.P.A"]
-    told = explained_word(TextCursor("part.nc", lines, 2, 7), machine, [], "en")
-    assert told is not None
-    assert (told["from"], told["to"]) == (5, 10)
-    assert "<img" not in told["html"]
+    reported = explained_word(TextCursor("part.nc", lines, 2, 7), machine, [], "en")
+    assert reported is not None
+    assert (reported["from"], reported["to"]) == (5, 10)
+    assert "<img" not in reported["html"]
     assert explained_word(TextCursor("part.nc", [""], 1, 0), machine, [], "en") is None
 
 
@@ -175,22 +175,22 @@ def test_explanations_are_those_of_the_language_server(
             for _ in range(column):
                 page.keyboard.press("ArrowRight")
             page.keyboard.press("F1")
-            told = page.locator(".nc-told-here")
-            expect(told).to_be_visible()
-            assert words(told.inner_text()) == words(expected.contents.value)
+            reported = page.locator(".nc-tip-here")
+            expect(reported).to_be_visible()
+            assert words(reported.inner_text()) == words(expected.contents.value)
             assert words(page.locator(".cm-announced").inner_text()) == words(
                 expected.contents.value
             )
             page.keyboard.press("Escape")
-            expect(told).to_have_count(0)
+            expect(reported).to_have_count(0)
             expect(page.locator(".cm-content")).to_be_focused()
             page.keyboard.press("Escape")
             expect(page.locator(".cm-content")).not_to_be_focused()
             page.locator(".cm-content").get_by_text(shown, exact=True).first.hover()
-            expect(page.locator(".nc-told")).to_be_visible()
-            assert words(page.locator(".nc-told").inner_text()) == words(expected.contents.value)
+            expect(page.locator(".nc-tip")).to_be_visible()
+            assert words(page.locator(".nc-tip").inner_text()) == words(expected.contents.value)
             page.mouse.move(5, 5)
-            expect(page.locator(".nc-told")).to_have_count(0)
+            expect(page.locator(".nc-tip")).to_have_count(0)
         page.close()
 
 
@@ -217,12 +217,12 @@ def test_findings_are_those_of_the_language_server(
         page.keyboard.press("e")
         page.keyboard.press("Control+Home")
         page.keyboard.press("F4")
-        told = page.locator(".nc-told-here")
+        reported = page.locator(".nc-tip-here")
         span = found[0].span
         assert span is not None
         here = [one for one in found if one.span == span]
-        expect(told).to_contain_text(f"{here[0].id}: {here[0].text(language)}")
-        expect(told).to_contain_text(here[0].remedy(language))
+        expect(reported).to_contain_text(f"{here[0].id}: {here[0].text(language)}")
+        expect(reported).to_contain_text(here[0].remedy(language))
         line = PROGRAM.split("\n")[span.line - 1]
         assert "".join(underlined.all_inner_texts()).startswith(
             line[span.column - 1 : span.end_column - 1]

@@ -59,7 +59,7 @@ def test_errors_tell_a_remedy() -> None:
 
 
 def test_classes_are_explained() -> None:
-    """The class numbers of a message stand in the tables, or it has none."""
+    """The class numbers of a message are in the tables, or it has none."""
     for message in catalogue():
         assert (message.reaction == 0) == (message.clearing == 0), message
         if message.reaction:
@@ -100,7 +100,7 @@ def test_each_message_has_a_number_of_its_own() -> None:
         assert any(map(is_own, message.numbers)) or shared[message.id] == 1, message
 
 
-def test_numbers_of_a_message_are_told_once() -> None:
+def test_numbers_of_a_message_are_reported_once() -> None:
     """What a message is also known as neither leads it nor is reported twice."""
     for message in catalogue():
         assert len(message.known_as) == len(set(message.known_as)), message
@@ -152,7 +152,7 @@ def test_the_controllers_number_leads() -> None:
     ],
 )
 def test_the_case_gives_the_number(own: int, values: dict[str, object], number: int) -> None:
-    """Where the controller has a number for each case, the values of the finding tell which."""
+    """Where the controller has a number for each case, the values of the finding say which."""
     found = diagnostic(messages_of(own)[0], **values)
     assert found.id == number
     assert number in found.message.leading
@@ -160,7 +160,7 @@ def test_the_case_gives_the_number(own: int, values: dict[str, object], number: 
 
 
 def test_numbers_with_two_readings_name_both() -> None:
-    """errors.md: 50939 and 51028 stay; whoever asks is reported what else is called so."""
+    """errors.md: 50939 and 51028 stay; ``explain`` names the others with the same number."""
     time_limit = messages_of(50939)[0]
     assert time_limit.known_as == (50930,)
     assert "M" in time_limit.cause.en

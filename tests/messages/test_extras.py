@@ -33,13 +33,13 @@ def test_all_has_each_extra_of_users() -> None:
 
 def test_no_remedy_needs_a_checkout() -> None:
     """Each names libraries, never a folder or nctakt itself, which would be built again."""
-    told = [
+    reported = [
         (message.id, text)
         for message in catalogue()
         for text in (message.remedy.en, message.remedy.de)
         if "pip install" in text
     ]
-    assert len(told) >= 14  # seven messages in both languages; two more name it by {install}
-    for number, text in told:
+    assert len(reported) >= 14  # seven messages in both languages; two more name it by {install}
+    for number, text in reported:
         words = shlex.split(text.partition("pip install")[2])
         assert all(re.fullmatch(r"[A-Za-z][\w-]+[<>=][\d.,<>=]+", word) for word in words), number

@@ -43,7 +43,7 @@ def test_the_end_of_a_block_has_its_words_in_both_languages() -> None:
 
 
 def test_a_remedy_does_not_ask_for_nothing() -> None:
-    """Where no name is similar, or a list is empty, the sentence that would tell it is left out."""
+    """Where no name is similar, or a list is empty, the sentence about it is left out."""
     found = diagnostic(UNKNOWN_WORD, word="Q", axes="X, Y", nearest=NOTHING)
     assert found.remedy("en") == "Axes of the channel: X, Y"
     found = diagnostic(UNKNOWN_VARIABLE, name="V.G.Q", nearest=NOTHING, declared=NOTHING)

@@ -126,7 +126,7 @@ NUMBERS = {
 
 @functools.cache
 def read_in(path: Path) -> tuple[frozenset[str], frozenset[int]]:
-    """The names that a module reads, and the numbers of messages that stand in it."""
+    """The names that a module reads, and the numbers of messages in it."""
     nodes = [*ast.walk(ast.parse(path.read_text("utf-8")))]
     constants = (node.value for node in nodes if isinstance(node, ast.Constant))
     return (
@@ -136,7 +136,7 @@ def read_in(path: Path) -> tuple[frozenset[str], frozenset[int]]:
 
 
 def numbers_of_libraries() -> set[int]:
-    """The numbers that stand in the libraries of Structured Text, which the realtime part runs."""
+    """The numbers in the libraries of Structured Text, which the realtime part runs."""
     texts = [path.read_text("utf-8") for path in (SOURCES / "st" / "libraries").glob("*.st")]
     return {int(one) for text in texts for one in re.findall(r"(?<![\w#.])\d+(?![\w.])", text)}
 

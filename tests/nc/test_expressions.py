@@ -80,7 +80,7 @@ def test_the_table_has_what_the_language_has() -> None:
         assert function.meaning.de
 
 
-def test_a_sign_in_front_of_a_number_is_part_of_it() -> None:
+def test_a_sign_before_a_number_is_part_of_it() -> None:
     """A negative constant is one node, so it costs no instruction (RC-501)."""
     value = expression("-2.5")
     assert isinstance(value, Number)
@@ -141,7 +141,7 @@ def test_texts_names_and_lists_are_values() -> None:
     [("[", "1", "]"), ("SIN[", "1", "]"), ("1 + [", "1", "]"), ("V.E.A[", "1", "]")],
 )
 def test_expressions_nest_up_to_the_limit(before: str, inner: str, after: str, depth: int) -> None:
-    """Brackets, functions and indices may stand inside each other up to the named limit."""
+    """Brackets, functions and indices may be nested up to the named limit."""
     depth = depth if before == "[" else depth - 1
     assert numbers(f"P1 = {before * depth}{inner}{after * depth}") == []
 

@@ -125,8 +125,8 @@ def test_a_cycle_that_can_cost_more_than_a_tick_allows_is_found(limit: int, *, f
     """RC-501, RC-502, RC-503: the dearest way through the branches counts, limit by limit."""
     lines = tuple(FIVE_WAYS.splitlines())
     for number, limits in ((900246, StepLimits(limit, 1000)), (900247, StepLimits(1000, limit))):
-        told = [one for one in lints(lines, limits=limits) if one.id in (900246, 900247)]
-        assert [(one.id, one.values) for one in told] == (
+        reported = [one for one in lints(lines, limits=limits) if one.id in (900246, 900247)]
+        assert [(one.id, one.values) for one in reported] == (
             [(number, {"steps": STEPS, "limit": limit})] if found else []
         )
 
@@ -254,7 +254,7 @@ def test_a_number_of_a_tool_is_looked_up_in_the_list(text: str, found: list[int]
 
 
 def test_tools_of_an_external_tool_management_are_not_looked_up() -> None:
-    """P-CHAN-00016: the PLC may have any tool, for T and for D; only a run can tell."""
+    """P-CHAN-00016: the PLC may have any tool, for T and for D; only a run can show it."""
     channel = demo_channel()
     source = Source("p.nc", ("T7", "T7 D7", "M30"))
     tools = {1: replace(NO_TOOL, valid=True, number=1)}

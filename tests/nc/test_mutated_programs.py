@@ -105,7 +105,7 @@ def insert(text: str, chance: Random) -> str:
 
 
 def repeat(text: str, chance: Random) -> str:
-    """A piece stands there several times."""
+    """A piece is repeated several times."""
     first = chance.randrange(len(text) + 1)
     last = first + chance.choice((1, 3, 20))
     return text[:last] + text[first:last] * chance.choice((1, 1, 2, 70)) + text[last:]

@@ -343,7 +343,7 @@ def test_comments_become_blanks(line: str, expected: str) -> None:
     assert without_comments(line) == expected
 
 
-def test_trees_do_not_depend_on_where_they_stand() -> None:
+def test_trees_do_not_depend_on_their_place() -> None:
     """Blanks, comments and case change places and nothing else."""
     loose = "  n10   #rt  cycle  def [ id=17   scope=prog ] ; comment\n#Rt cYcle enD (x"
     tight = "N10#RT CYCLE DEF[ID=17SCOPE=PROG]\n#RT CYCLE END"

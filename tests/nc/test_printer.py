@@ -324,7 +324,7 @@ programs = st.builds(
 @given(values)
 @settings(max_examples=150, deadline=None)
 def test_an_expression_is_read_as_it_is_printed(expression: Expression) -> None:
-    """Brackets stand wherever precedence needs them (RC-206)."""
+    """Brackets are wherever precedence needs them (RC-206)."""
     program, diagnostics = read(f"P1 = {format_expression(expression)}")
     assert diagnostics == []
     (assignment,) = program.statements

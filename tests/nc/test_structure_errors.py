@@ -64,7 +64,7 @@ def findings(text: str, machine: AssembledMachine) -> list[str]:
 def test_a_structure_error_hides_no_other_finding(
     opening: str, errors: int, machine: AssembledMachine
 ) -> None:
-    """``errors``: what is told of the structure itself. An open cycle ends before the first
+    """``errors``: the messages about the structure itself. An open cycle ends before the first
     statement that none can have (RC-201); a definition after an open ``$IF`` is reported as
     well."""
     before = findings(REST, machine)
@@ -74,7 +74,7 @@ def test_a_structure_error_hides_no_other_finding(
     assert len(after) <= len(before) + errors
 
 
-def test_a_structure_before_the_first_case_is_told(machine: AssembledMachine) -> None:
-    """It would not run: between ``$SWITCH`` and ``$CASE`` nothing may stand (grammar.txt)."""
+def test_a_structure_before_the_first_case_is_reported(machine: AssembledMachine) -> None:
+    """It would not run: between ``$SWITCH`` and ``$CASE`` nothing is allowed (grammar.txt)."""
     text = "P1 = 1\n$SWITCH P1\n$IF P1 > 3\nX1\n$ENDIF\nX2\n$CASE 1\nX3\n$ENDSWITCH\n"
     assert [item[:30] for item in findings(text, machine)] == ["there must be no statement bet"]

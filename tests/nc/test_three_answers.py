@@ -20,7 +20,7 @@ REFUSED, ACCEPTED = 900200, 900201
 MISFORMED = 900233
 
 
-def told(block: str) -> list[tuple[int, str]]:
+def reported(block: str) -> list[tuple[int, str]]:
     """Number and text of what is found in a program of one block."""
     found = findings((block, "M30"), file="p.nc")
     return [(one.id, one.render("en")) for one in found]
@@ -36,13 +36,13 @@ def rows(kind: Kind, support: Support) -> list[Entry]:
 @pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Support.REFUSED), ids=lambda one: one.name)
 def test_a_refused_g_function_is_refused_by_name(entry: Entry) -> None:
     """One error, which names the function and what it does."""
-    ((number, text),) = told(f"{entry.name} X1")
+    ((number, text),) = reported(f"{entry.name} X1")
     assert number == REFUSED
     assert f"{entry.name} ({entry.meaning.en})" in text
 
 
 @pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Support.ACCEPTED), ids=lambda one: one.name)
-def test_an_accepted_g_function_is_told_as_a_note(entry: Entry) -> None:
+def test_an_accepted_g_function_is_reported_as_a_note(entry: Entry) -> None:
     """Once per program, however often it is there."""
     is_weight = isinstance(entry, GFunction) and entry.form is Form.WEIGHT
     first, second = ("=50", "=60") if is_weight else (" X1", " X2")
@@ -55,14 +55,14 @@ def test_an_accepted_g_function_is_told_as_a_note(entry: Entry) -> None:
 )
 def test_a_simulated_g_function_is_neither(entry: Entry) -> None:
     """It may lack its value or axis here; refused it is not."""
-    assert not {REFUSED, ACCEPTED} & {number for number, _ in told(f"{entry.name} X1")}
+    assert not {REFUSED, ACCEPTED} & {number for number, _ in reported(f"{entry.name} X1")}
 
 
 @pytest.mark.parametrize("entry", rows(Kind.COMMAND, Support.REFUSED), ids=lambda one: one.name)
 def test_a_refused_command_is_refused_by_name(entry: Entry) -> None:
     """``#MC_`` means all that begin like it."""
     name = entry.name + "POWER" if entry.name.endswith("_") else entry.name
-    numbers = [number for number, text in told(f"{name} [X]") if entry.meaning.en in text]
+    numbers = [number for number, text in reported(f"{name} [X]") if entry.meaning.en in text]
     assert numbers == [REFUSED]
 
 
@@ -73,17 +73,17 @@ def test_a_refused_command_is_refused_by_name(entry: Entry) -> None:
 )
 def test_a_command_whose_name_is_its_only_form_has_no_arguments(entry: Entry) -> None:
     """The error shows the form; the form itself is in order, or needs something of the machine."""
-    texts = [text for number, text in told(f"{entry.name} [1]") if number == MISFORMED]
+    texts = [text for number, text in reported(f"{entry.name} [1]") if number == MISFORMED]
     assert len(texts) == 1
     assert entry.name in texts[0]
-    assert MISFORMED not in {number for number, _ in told(entry.name)}
+    assert MISFORMED not in {number for number, _ in reported(entry.name)}
 
 
 @pytest.mark.parametrize("entry", rows(Kind.VARIABLE, Support.REFUSED), ids=lambda one: one.name)
 def test_a_refused_family_of_variables_is_refused_by_name(entry: Entry) -> None:
     """Read and written."""
     for block in (f"P1 = {entry.name}.NONE.X", f"{entry.name}.NONE.X = 1"):
-        ((number, text),) = told(block)
+        ((number, text),) = reported(block)
         assert number == REFUSED
         assert entry.meaning.en in text
 
@@ -116,7 +116,7 @@ def test_a_refused_family_of_variables_is_refused_by_name(entry: Entry) -> None:
         "]",
     ],
 )
-def test_what_nobody_knows_is_an_error(block: str) -> None:
+def test_unknown_names_are_errors(block: str) -> None:
     """Each of them is reported at its line; none is passed over."""
     found = findings((block, "M30"), file="p.nc")
     assert any(one.severity.name == "ERROR" for one in found), block
@@ -131,7 +131,7 @@ def test_what_nobody_knows_is_an_error(block: str) -> None:
 )
 def test_a_refused_word_of_compensation_says_what_to_use(block: str, instead: str) -> None:
     """MO-9: the remedy names what leads to a contour in its place."""
-    found = [text for number, text in told(block) if number == REFUSED]
+    found = [text for number, text in reported(block) if number == REFUSED]
     assert len(found) == 1
     assert instead in found[0]
 
@@ -147,6 +147,6 @@ def test_a_refused_word_of_compensation_says_what_to_use(block: str, instead: st
 )
 def test_what_spindles_do_with_their_axes_is_refused_by_name(block: str, name: str) -> None:
     """Pages 208221195, 208164107 (G74)."""
-    ((number, text),) = told(block)
+    ((number, text),) = reported(block)
     assert number == REFUSED
     assert f": {name} (" in text

@@ -66,7 +66,7 @@ def test_the_short_way_gives_the_same_tree_as_the_long_one(text: str) -> None:
     assert shape(statement(text)) == shape(statement("g01x1.5y-2f100"))
 
 
-def test_each_word_has_the_place_where_it_stands() -> None:
+def test_each_word_has_its_place() -> None:
     """Spans cover words and values, in plain blocks and in others."""
     for text in ("N10 G01  X-1.5", "N10 G01  X-1.5 foo"):
         block = statement(text)
@@ -157,7 +157,7 @@ def test_calls_have_a_name_and_keywords(
     assert [item.name for item in call.keywords] == keywords  # type: ignore[union-attr]
 
 
-def test_a_call_may_stand_among_other_words_and_take_its_name_from_a_variable() -> None:
+def test_a_call_may_be_among_other_words_and_take_its_name_from_a_variable() -> None:
     """``G0 X1 L V.P.NAME M5``: the other words stay with the call."""
     call = statement("G0 X1 L V.P.NAME M5")
     assert isinstance(call, SubprogramCall)
@@ -214,7 +214,7 @@ def test_macros() -> None:
     ],
 )
 def test_heads(text: str, number: int | None, skip: int | None, label: str | None) -> None:
-    """Skip level, block number and label stand in front; labels do not depend on case."""
+    """Skip level, block number and label come first; labels do not depend on case."""
     head = statement(text).head
     value = head.number.value if isinstance(head.number, Number) else None
     assert (value, head.skip, head.label) == (number, skip, label)

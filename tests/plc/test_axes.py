@@ -51,14 +51,14 @@ class Cell(Plc):
     def __init__(self, call: Callable[[PlcView], None], *blocks: AxisBlock) -> None:
         self.call = call
         self.blocks = blocks
-        self.told: list[list[tuple[int, str]]] = [[] for _ in blocks]
+        self.reported: list[list[tuple[int, str]]] = [[] for _ in blocks]
 
     def each_tick(self, hli: PlcView) -> None:
         """After each tick."""
         self.call(hli)
-        for block, told in zip(self.blocks, self.told, strict=True):
-            if not told or told[-1][1] != outputs(block):
-                told.append((hli.tick, outputs(block)))
+        for block, reported in zip(self.blocks, self.reported, strict=True):
+            if not reported or reported[-1][1] != outputs(block):
+                reported.append((hli.tick, outputs(block)))
 
 
 def run(text: str, plc: Plc, *signals: str) -> Run:
@@ -78,7 +78,7 @@ def test_move_absolute_goes_to_its_target_and_is_done() -> None:
     move = MC_MoveAbsolute("X")
     plc = Cell(lambda hli: move(hli, execute=True, position=10, velocity=500), move)
     made = run(WAIT, plc)
-    assert plc.told == [[(0, "busy"), (1, "busy active"), (100, "done")]]
+    assert plc.reported == [[(0, "busy"), (1, "busy active"), (100, "done")]]
     x, states = column(made, "X.ACS.ACT_POS"), column(made, "X.STATE")
     assert x[0] == 0.0
     assert x[1] == pytest.approx(0.002)
@@ -92,12 +92,12 @@ def test_move_absolute_goes_to_its_target_and_is_done() -> None:
     )
 
 
-def test_outputs_fall_with_execute_but_stand_for_one_call() -> None:
+def test_outputs_fall_with_execute_but_last_for_one_call() -> None:
     """Execute is taken away while the axis moves: done shows for one call."""
     move = MC_MoveAbsolute("X")
     plc = Cell(lambda hli: move(hli, execute=hli.tick < 5, position=10, velocity=500), move)
     run(WAIT, plc)
-    assert plc.told == [[(0, "busy"), (1, "busy active"), (100, "done"), (101, "")]]
+    assert plc.reported == [[(0, "busy"), (1, "busy active"), (100, "done"), (101, "")]]
 
 
 def test_move_relative_counts_from_the_command_position() -> None:
@@ -107,8 +107,8 @@ def test_move_relative_counts_from_the_command_position() -> None:
         lambda hli: move(hli, execute=hli.tick not in (150, 151), distance=10, velocity=500), move
     )
     x = column(run(WAIT, plc), "X.ACS.ACT_POS")
-    assert plc.told[0][:4] == [(0, "busy"), (1, "busy active"), (100, "done"), (150, "")]
-    assert plc.told[0][4:] == [(152, "busy"), (153, "busy active"), (252, "done")]
+    assert plc.reported[0][:4] == [(0, "busy"), (1, "busy active"), (100, "done"), (150, "")]
+    assert plc.reported[0][4:] == [(152, "busy"), (153, "busy active"), (252, "done")]
     assert x[252] == 20.0
 
 
@@ -122,13 +122,13 @@ def test_move_velocity_is_in_velocity_until_something_else_comes() -> None:
 
     plc = Cell(call, move, halt)
     made = run(WAIT, plc)
-    assert plc.told[0] == [
+    assert plc.reported[0] == [
         (0, "busy"),
         (1, "busy active"),
         (25, "busy active in_velocity"),
         (101, "command_aborted"),
     ]
-    assert plc.told[1] == [(0, ""), (100, "busy"), (101, "busy active"), (125, "done")]
+    assert plc.reported[1] == [(0, ""), (100, "busy"), (101, "busy active"), (125, "done")]
     states = column(made, "X.STATE")
     assert [states[tick] for tick in (1, 100, 101, 124, 125)] == [
         CONTINUOUS,
@@ -150,9 +150,9 @@ def test_a_new_command_aborts_the_one_before() -> None:
 
     plc = Cell(call, there, back)
     x = column(run(WAIT, plc), "X.ACS.ACT_POS")
-    assert plc.told[0] == [(0, "busy"), (1, "busy active"), (51, "command_aborted")]
-    assert plc.told[1][:3] == [(0, ""), (50, "busy"), (51, "busy active")]
-    assert plc.told[1][3][1] == "done"
+    assert plc.reported[0] == [(0, "busy"), (1, "busy active"), (51, "command_aborted")]
+    assert plc.reported[1][:3] == [(0, ""), (50, "busy"), (51, "busy active")]
+    assert plc.reported[1][3][1] == "done"
     assert max(x) == pytest.approx(10.0)  # 200 mm/s need 5 mm to stop
     assert x[-1] == 0.0
 
@@ -167,8 +167,8 @@ def test_a_buffered_command_waits_for_the_end_of_the_one_before() -> None:
 
     plc = Cell(call, first, second)
     x = column(run(WAIT, plc), "X.ACS.ACT_POS")
-    assert plc.told[0][-1] == (100, "done")
-    assert plc.told[1] == [(0, ""), (10, "busy"), (100, "busy active"), (200, "done")]
+    assert plc.reported[0][-1] == (100, "done")
+    assert plc.reported[1] == [(0, ""), (10, "busy"), (100, "busy active"), (200, "done")]
     assert x[200] == 20.0
 
 
@@ -179,7 +179,7 @@ def test_a_modulo_axis_goes_in_the_wanted_direction() -> None:
         lambda hli: move(hli, execute=True, position=350, velocity=360, direction=NEGATIVE), move
     )
     a = column(run(WAIT, plc), "A.ACS.ACT_POS")
-    assert plc.told[0][-1] == (100, "done")
+    assert plc.reported[0][-1] == (100, "done")
     assert a[100] == pytest.approx(350.0)
 
 
@@ -193,8 +193,8 @@ def test_an_endless_motion_ends_in_error_at_its_software_limit() -> None:
 
     plc = Cell(call, endless, further)
     made = run("G04 X21\nM30", plc)
-    assert plc.told[0][-1][1] == "error 1702"
-    assert plc.told[1][-1][1] == "error 60213"
+    assert plc.reported[0][-1][1] == "error 1702"
+    assert plc.reported[1][-1][1] == "error 60213"
     assert column(made, "X.STATE")[-1] == ERROR_STOP
     assert column(made, "X.ACS.ACT_POS")[-1] == 10_000.0
 
@@ -209,7 +209,7 @@ def test_a_target_beyond_the_software_limits_is_refused(
     move = MC_MoveAbsolute(axis)
     plc = Cell(lambda hli: move(hli, execute=True, position=position, velocity=500), move)
     run(WAIT, plc)
-    assert plc.told == [[(0, "busy"), (1, f"error {number}")]]
+    assert plc.reported == [[(0, "busy"), (1, f"error {number}")]]
 
 
 def test_an_axis_that_the_path_moves_is_refused() -> None:
@@ -217,7 +217,7 @@ def test_an_axis_that_the_path_moves_is_refused() -> None:
     move = MC_MoveAbsolute("X")
     plc = Cell(lambda hli: move(hli, execute=hli.tick >= 20, position=3, velocity=500), move)
     made = run("G00 X10\nM30", plc)
-    assert plc.told == [[(0, ""), (20, "busy"), (21, "error 50603")]]
+    assert plc.reported == [[(0, ""), (20, "busy"), (21, "error 50603")]]
     assert made.errors == ()
     assert column(made, "X.ACS.ACT_POS")[99] == 10.0
     assert column(made, "X.STATE")[50] == SYNCHRONIZED
@@ -229,7 +229,7 @@ def test_a_block_that_moves_an_axis_of_the_plc_is_an_error() -> None:
     plc = Cell(lambda hli: move(hli, execute=True, position=10, velocity=500), move)
     made = run("G04 X0.050\nN20 G00 X5\nM30", plc)
     assert [found.id for found in made.errors] == [50766]
-    assert plc.told == [[(0, "busy"), (1, "busy active"), (100, "done")]]
+    assert plc.reported == [[(0, "busy"), (1, "busy active"), (100, "done")]]
     x = column(made, "X.ACS.ACT_POS")
     assert all(after - before <= 0.5 for before, after in itertools.pairwise(x))
 
@@ -260,7 +260,7 @@ def test_other_axes_stay_the_paths() -> None:
     plc = Cell(lambda hli: move(hli, execute=True, position=10, velocity=500), move)
     made = run("G00 X20\nM30", plc, "Y.ACS.ACT_POS")
     assert made.state == "ended"
-    assert plc.told[0][-1] == (100, "done")
+    assert plc.reported[0][-1] == (100, "done")
     assert column(made, "Y.ACS.ACT_POS")[100] == 10.0
     assert column(made, "X.ACS.ACT_POS")[-1] == 20.0
 
@@ -276,7 +276,7 @@ def test_a_reset_aborts_what_the_plc_moves() -> None:
 
     plc = Cell(call, move)
     run(WAIT, plc)
-    assert plc.told[0][-1] == (51, "command_aborted")
+    assert plc.reported[0][-1] == (51, "command_aborted")
 
 
 def test_during_a_reset_an_axis_takes_no_command() -> None:
@@ -292,7 +292,7 @@ def test_during_a_reset_an_axis_takes_no_command() -> None:
 
     plc = Cell(call, first, again, later)
     made = Controller().run(NcText("p.nc", WAIT), plc=plc, after="200 ms")
-    assert plc.told[1] == [(0, ""), (55, "busy"), (56, "error 900810")]
+    assert plc.reported[1] == [(0, ""), (55, "busy"), (56, "error 900810")]
     assert made.state == "reset"
     assert made.ticks == 276
 
@@ -314,10 +314,10 @@ def test_reset_leaves_error_stop() -> None:
     plc = Cell(call, endless, reset, back)
     text = NcText("p.nc", "G04 X30\nM30")
     made = Controller().run(text, plc=plc, wait_for_start=True, ticks=20_200)
-    (tick, shown) = plc.told[1][-1]
+    (tick, shown) = plc.reported[1][-1]
     assert shown == "done"
-    assert plc.told[1][-2:] == [(tick - 1, "busy"), (tick, "done")]
-    assert plc.told[2][-3:] == [(tick, "busy"), (tick + 1, "busy active"), (tick + 10, "done")]
+    assert plc.reported[1][-2:] == [(tick - 1, "busy"), (tick, "done")]
+    assert plc.reported[2][-3:] == [(tick, "busy"), (tick + 1, "busy active"), (tick + 10, "done")]
     assert [found.id for found in made.errors] == [1702]
     assert made.state == "error"
     assert column(made, "X.ACS.ACT_POS")[-1] == 9999.9
@@ -340,7 +340,7 @@ def test_an_axis_without_single_axis_interface_is_refused(
     }.get(block, {})
     plc = Cell(lambda hli: used(hli, execute=True, **inputs), used)  # type: ignore[operator]
     made = Controller(tmp_path / "machine").run(NcText("p.nc", WAIT), plc=plc)
-    assert plc.told == [[(0, "busy"), (1, "error 50966")]]
+    assert plc.reported == [[(0, "busy"), (1, "error 50966")]]
     assert made.state == "ended"
 
 
@@ -349,7 +349,7 @@ def test_reset_of_an_axis_without_an_error_is_done() -> None:
     reset = MC_Reset("X")
     plc = Cell(lambda hli: reset(hli, execute=True), reset)
     made = run(WAIT, plc)
-    assert plc.told == [[(0, "busy"), (1, "done")]]
+    assert plc.reported == [[(0, "busy"), (1, "done")]]
     assert set(column(made, "X.STATE")) == {STANDSTILL}
 
 
@@ -407,8 +407,8 @@ def test_the_plc_and_a_cycle_take_an_axis_from_each_other() -> None:
     plc = Cell(call, there, again)
     made = controller.run(NcText("p.nc", WAIT), plc=plc, signals=["X.ACS.ACT_POS"])
     assert made.state == "ended"
-    assert plc.told[0] == [(0, "busy"), (1, "busy active"), (50, "command_aborted")]
-    assert [told for _, told in plc.told[1]] == ["", "busy", "busy active", "done"]
+    assert plc.reported[0] == [(0, "busy"), (1, "busy active"), (50, "command_aborted")]
+    assert [reported for _, reported in plc.reported[1]] == ["", "busy", "busy active", "done"]
     x = column(made, "X.ACS.ACT_POS")
     assert all(abs(after - before) <= 0.5 for before, after in itertools.pairwise(x))
     assert x[-1] == 20.0

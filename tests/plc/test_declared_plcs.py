@@ -239,7 +239,7 @@ def test_a_mistake_in_a_condition_has_a_caret(tmp_path: Path) -> None:
     ("text", "word"),
     [("V.E.VALUE >> 20 $$", "a value is missing"), ("V.E.VALUE > 5 $ENDIF", "'$ENDIF' is not")],
 )
-def test_a_mistake_in_a_condition_is_told_once(text: str, word: str) -> None:
+def test_a_mistake_in_a_condition_is_reported_once(text: str, word: str) -> None:
     """What it does to the cycle around the text is no mistake of the user's."""
 
     class Cell(Plc):
@@ -254,7 +254,7 @@ def test_a_mistake_in_a_condition_is_told_once(text: str, word: str) -> None:
 
 
 def test_a_condition_that_is_made_of_parts() -> None:
-    """Where the text does not stand in the file the mistake is shown in the text itself."""
+    """If the text is not in the file, the mistake is shown in the text itself."""
     kind = "VALUE"
 
     class Cell(Plc):

@@ -138,7 +138,7 @@ def test_the_plc_wants_an_axis_that_the_path_has() -> None:
     assert last(made) == -5.0
 
 
-def test_the_plc_has_the_axis_again_behind_the_block() -> None:
+def test_the_plc_has_the_axis_again_after_the_block() -> None:
     """The path moves Z in the ticks 0 … 99; in tick 100 it is free, and the PLC's."""
     plc = Owner(100)
     made = run("G00 Z-10\nG04 X0.3\nM30", plc)

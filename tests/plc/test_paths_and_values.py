@@ -43,7 +43,7 @@ def _cell(tmp_path: Path) -> Path:
         ("MAIN.n[1]", "MAIN.n", "UINT"),
     ],
 )
-def test_a_part_that_there_is_not_is_told_with_the_type(
+def test_a_part_that_there_is_not_is_reported_with_the_type(
     cell: Path, name: str, part: str, type_: str
 ) -> None:
     """ST-311: as a signal, an input, and in one of several PLCs by its project."""
@@ -59,7 +59,7 @@ def test_a_part_that_there_is_not_is_told_with_the_type(
     assert second.value.diagnostics[0].text() == shown
 
 
-def test_what_is_no_signal_is_told_with_its_type(cell: Path) -> None:
+def test_what_is_no_signal_is_reported_with_its_type(cell: Path) -> None:
     for name, type_ in (("MAIN.a", "ARRAY[0..5] OF INT"), ("MAIN.sText", "STRING(80)")):
         with pytest.raises(Failure, match="902963") as failure:
             Controller().run(NC, plc=load_plc(cell), signals=[name])
@@ -76,7 +76,7 @@ def test_an_expectation_has_its_place(cell: Path, tmp_path: Path) -> None:
     assert span is not None and (span.line, span.column) == (2, 15)
 
 
-def test_an_index_that_stops_the_plc_is_told_with_the_bounds(cell: Path) -> None:
+def test_an_index_that_stops_the_plc_is_reported_with_the_bounds(cell: Path) -> None:
     """ST-311, ST-560."""
     done = Controller().run(NC, plc=load_plc(cell), at=[("1 ms", "MAIN.nIndex", 6)])
     (found,) = [one for one in done.diagnostics if one.message.id == 902266]

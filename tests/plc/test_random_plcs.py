@@ -199,8 +199,8 @@ class RandomPlc(RuleBasedStateMachine):
         """One of the known ones, with finite values; stale names are reported once each."""
         assert self.hli.state in STATES
         assert all(math.isfinite(value) for value in self.hli.channel().values())
-        told = [one.values["name"] for one in self.controller.diagnostics if one.id == 900671]
-        assert len(told) == len(set(told))
+        reported = [one.values["name"] for one in self.controller.diagnostics if one.id == 900671]
+        assert len(reported) == len(set(reported))
 
     def _entries(self) -> list[tuple[bool, TechnologyEntry]]:
         return [(one.is_realtime, one) for one in self.hli.functions()]

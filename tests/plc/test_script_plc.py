@@ -147,7 +147,7 @@ def test_conditions_react_to_edges_and_functions_once_each() -> None:
     ]
 
 
-def test_functions_in_the_same_slot_are_told_apart() -> None:
+def test_functions_in_the_same_slot_are_reported_apart() -> None:
     """Each tick M100 again: each is its own function."""
     plc = Watching()
     run("#RT CYCLE\nM100\n#RT CYCLE END\nG04 X0.004\nM30", plc)
@@ -186,7 +186,7 @@ def with_inputs(tmp_path: Path, text: str) -> object:
 
 
 def test_inputs_come_at_their_times(tmp_path: Path) -> None:
-    """Empty cells leave values as they are; rows may stand in any order."""
+    """Empty cells leave values as they are; rows may be in any order."""
     text = "time, V.E.COUNT ,HLI.OVERRIDE\n# the door\n0.01,3,\n\n5ms,,50\n12ms,4,100\n"
     plc = with_inputs(tmp_path, text)
     trace = run("G04 X0.020\nM30", plc, signals=["V.E.COUNT", "HLI.OVERRIDE"]).trace
@@ -205,7 +205,7 @@ def test_inputs_come_at_their_times(tmp_path: Path) -> None:
         ("time,V.E.COUNT\n1ms\nsoon,1\n2ms,much\n", [900654, 900510, 900512]),
     ],
 )
-def test_all_mistakes_of_a_file_of_inputs_are_told(
+def test_all_mistakes_of_a_file_of_inputs_are_reported(
     tmp_path: Path, text: str, numbers: list[int]
 ) -> None:
     """When the PLC is made, before the first tick."""
@@ -245,13 +245,13 @@ def test_a_mistake_shows_the_users_lines_only(tmp_path: Path) -> None:
     with pytest.raises(PlcError) as caught:
         run("M100\nM30", load_plc(tmp_path / "plc.py"))
     (found,) = caught.value.diagnostics
-    told = found.text()
+    reported = found.text()
     assert found.id == 900523
-    assert "after tick 0" in told
-    assert "JSONDecodeError" in told
-    assert "broken()" in told
-    assert "json.loads('{')" in told
-    assert told.count("File ") == 2
+    assert "after tick 0" in reported
+    assert "JSONDecodeError" in reported
+    assert "broken()" in reported
+    assert "json.loads('{')" in reported
+    assert reported.count("File ") == 2
 
 
 def test_a_write_to_an_unknown_variable_is_a_diagnostic(tmp_path: Path) -> None:

@@ -91,7 +91,7 @@ def test_the_project_file_names_several(capsys: pytest.CaptureFixture[str]) -> N
     assert "three.st" in capsys.readouterr().err
 
 
-def test_retained_values_of_one_path_are_told_apart() -> None:
+def test_retained_values_of_one_path_are_reported_apart() -> None:
     """ST-406: the second project's variable has the project before its path, in the file, too."""
     for ticks in (3, 6):
         words = ["--ticks", "3", "--retain", "kept.json", "--quiet"]

@@ -172,7 +172,7 @@ def written(folder: Path, text: str) -> Path:
 
 
 @pytest.mark.parametrize(("text", "number", "line", "marked", "remedy"), SLIPS)
-def test_a_slip_is_told_at_its_place_when_the_file_is_loaded(
+def test_a_slip_is_reported_at_its_place_when_the_file_is_loaded(
     text: str, number: int, line: int, marked: str, remedy: str, tmp_path: Path
 ) -> None:
     """One error each, the carets below the word, the remedy with what was meant."""
@@ -225,7 +225,7 @@ def test_what_is_the_users_own_is_no_slip(tmp_path: Path) -> None:
     assert not run.diagnostics
 
 
-def test_a_class_with_a_misspelt_cycle_is_told(tmp_path: Path) -> None:
+def test_a_class_with_a_misspelt_cycle_is_reported(tmp_path: Path) -> None:
     """900520 says that the method is missing, 901008 which one may be it."""
     with pytest.raises(PlcError) as failure:
         load_plc(written(tmp_path, "class C:\n    def cycel(self, hli):\n        pass\n"))
@@ -248,7 +248,7 @@ def test_a_class_with_a_misspelt_cycle_is_told(tmp_path: Path) -> None:
         ("    spindles = only('X')\n", "X", ""),
     ],
 )
-def test_a_function_that_the_channel_list_lacks_is_told_before_the_first_tick(
+def test_a_function_that_the_channel_list_lacks_is_reported_before_the_first_tick(
     member: str, name: str, near: str, tmp_path: Path
 ) -> None:
     """901013 at its word, the file named as the user gave it."""
@@ -265,7 +265,7 @@ def test_a_function_that_the_channel_list_lacks_is_told_before_the_first_tick(
     assert near in found.remedy()
 
 
-def test_what_was_never_called_is_told_at_the_end(tmp_path: Path) -> None:
+def test_what_was_never_called_is_reported_at_the_end(tmp_path: Path) -> None:
     """901014 for each mark with its reason, 901007 for inputs that were left over."""
     text = """
 class C(Plc):
@@ -286,9 +286,9 @@ class C(Plc):
 """
     (tmp_path / "inputs.csv").write_text("time,V.E.COUNT\n0,1\n2h,5\n", "utf-8")
     run = Controller().run(NcText("a.nc", "M100\nM30"), plc=load_plc(written(tmp_path, text)))
-    told = [(one.id, one.text().split(":")[-1].strip()) for one in run.diagnostics]
+    reported = [(one.id, one.text().split(":")[-1].strip()) for one in run.diagnostics]
     each_tick = "the condition of failed is a Python function, so the PLC is called after each tick"
-    assert told == [
+    assert reported == [
         (902140, each_tick),
         (901007, "the run ended before, after 0.001 s"),
         (901014, "the run ended before 3600 s"),
@@ -307,7 +307,7 @@ def test_decorators_refuse_what_is_no_condition_and_no_name() -> None:
         assert [one.id for one in failure.value.diagnostics] == [901010]
 
 
-def test_names_that_are_computed_are_told_when_they_are_used() -> None:
+def test_names_that_are_computed_are_reported_when_they_are_used() -> None:
     """Attributes with the nearest one; keys and axes as diagnostics (901012, 900656)."""
     hli = Controller().hli
     with pytest.raises(AttributeError, match="did you mean override_pct"):

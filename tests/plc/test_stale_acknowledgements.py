@@ -46,7 +46,7 @@ def test_a_kept_function_does_not_acknowledge_the_next_one_in_its_slot() -> None
     assert run.diagnostics[0].values == {"name": "M100", "tick": 1}
 
 
-def test_a_function_acknowledged_twice_behind_one_tick_is_acknowledged() -> None:
+def test_a_function_acknowledged_twice_after_one_tick_is_acknowledged() -> None:
     """A method of the PLC and its policy may both do it."""
 
     class Twice(Plc):

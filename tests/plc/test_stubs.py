@@ -343,7 +343,7 @@ def test_a_class_has_the_declaration_of_its_base(folder: Path) -> None:
         ("def cycle(self, block, hli)", "def cycle(self, block)", "TypeError"),
     ],
 )
-def test_what_a_class_does_wrong_is_told_with_its_line(
+def test_what_a_class_does_wrong_is_reported_with_its_line(
     folder: Path, old: str, new: str, reason: str
 ) -> None:
     """902978: which instance, after which tick, and why."""
@@ -358,7 +358,7 @@ def test_what_a_class_does_wrong_is_told_with_its_line(
         assert "stubs.py" in text
 
 
-def test_what_a_class_raises_when_it_is_made_is_told(folder: Path) -> None:
+def test_what_a_class_raises_when_it_is_made_is_reported(folder: Path) -> None:
     """900522, before the first tick."""
     changed(folder, "stubs.py", "self.asked = 0", "self.asked = nothing")
     with pytest.raises(PlcError, match="900522"):
@@ -373,7 +373,7 @@ def test_a_stopped_plc_has_no_blocks(folder: Path) -> None:
     assert [one.id for one in run(plc_in(folder), 6).errors] == [902265]
 
 
-def test_instances_without_a_path_are_told(folder: Path) -> None:
+def test_instances_without_a_path_are_reported(folder: Path) -> None:
     """902980: what lives in a call or is shared by all instances; such outputs stay as they are."""
     text = """
     FUNCTION F : UDINT VAR fbLocal : FB_Sdo; END_VAR
@@ -388,8 +388,8 @@ def test_instances_without_a_path_are_told(folder: Path) -> None:
     """
     (folder / "cell.st").write_text(text + EACH_TICK, "utf-8")
     plc = plc_in(folder)
-    told = [(one.id, one.values["path"]) for one in plc.notes()]
-    assert told == [(902980, name) for name in ("F.fbLocal", "MAIN.aTemp", "MAIN.fbStat")]
+    reported = [(one.id, one.values["path"]) for one in plc.notes()]
+    assert reported == [(902980, name) for name in ("F.fbLocal", "MAIN.aTemp", "MAIN.fbStat")]
     assert not run(plc, 6).errors
     assert (plc.read("MAIN.n"), plc.read("MAIN.fbSdo.bDone")) == (0, True)
 

@@ -31,7 +31,7 @@ TOOLS = {
 
 @pytest.fixture(scope="module", name="folder")
 def fixture_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The demo machine with an external tool management that is told of T."""
+    """The demo machine with an external tool management that gets T."""
     entries = ["ext_wzv_vorhanden 1", "t_info_to_wzv 1"]
     folder = tmp_path_factory.mktemp("managed") / "machine"
     return changed_machine({"sda_mds1.lis": entries}, folder, base=DEMO)
@@ -221,7 +221,7 @@ def test_check_looks_no_tool_up(folder: Path, tmp_path: Path) -> None:
         ("ToolData(parameters=['a'])", "parameters[0]='a' for tool 12: not a finite number"),
     ],
 )
-def test_a_wrong_answer_is_told_at_the_method(
+def test_a_wrong_answer_is_reported_at_the_method(
     folder: Path, tmp_path: Path, answer: str, reason: str
 ) -> None:
     """902804 at the def of tool_data, for each kind of value of the interface."""
@@ -244,7 +244,7 @@ def test_a_manager_that_is_never_asked_is_noted(folder: Path, tmp_path: Path) ->
     assert "ext_wzv_vorhanden" in notes[0].text()
 
 
-def test_t_has_an_effect_where_the_tool_manager_is_told(folder: Path) -> None:
+def test_t_has_an_effect_where_the_tool_manager_is_informed(folder: Path) -> None:
     """No note 900201, which says that T has none; on the demo machine it is true."""
     for machine, expected in ((folder, []), (DEMO, [900201])):
         found = Controller(machine).run(NcText("t.nc", "T1\nM30"))

@@ -46,7 +46,7 @@ def perform(folder: Path, nc: str, text: str = GATE, task: str = EACH_TICK) -> R
     return Controller().run(NcText("part.nc", nc), plc=loaded(folder, text, task))
 
 
-def test_a_function_before_the_plc_is_told_with_place_and_remedy(tmp_path: Path) -> None:
+def test_a_function_before_the_plc_is_reported_with_place_and_remedy(tmp_path: Path) -> None:
     """M7 (MVS_SVS) of tick 0 acknowledges itself; what waits until tick 3 reaches the PLC."""
     run = perform(tmp_path, "N10 G01 X0 F100\nN20 M7\nG04 0.02\nM30")
     (note,) = [one for one in run.diagnostics if one.id == 902931]
@@ -60,20 +60,20 @@ def test_a_function_before_the_plc_is_told_with_place_and_remedy(tmp_path: Path)
     assert values_in_main(remedied, "nSeen") == [7]
 
 
-def test_a_line_is_told_once_and_each_line_of_its_own(tmp_path: Path) -> None:
+def test_a_line_is_reported_once_and_each_line_of_its_own(tmp_path: Path) -> None:
     """M7 twice in a loop is one note, a second line another one."""
     slow = EACH_TICK.replace("T#1MS", "T#10MS")
     run = perform(tmp_path, "$FOR P1 = 1, 2, 1\nM7\n$ENDFOR\nM7\nG04 0.05\nM30", task=slow)
-    told = [one.span.line for one in run.diagnostics if one.id == 902931 and one.span]
-    assert told == [2, 4]
+    reported = [one.span.line for one in run.diagnostics if one.id == 902931 and one.span]
+    assert reported == [2, 4]
 
 
-def test_functions_that_do_not_wait_are_not_told(tmp_path: Path) -> None:
+def test_functions_that_do_not_wait_are_not_reported(tmp_path: Path) -> None:
     """M100 is MOS: nobody waits for it."""
     assert notes(perform(tmp_path, "M100\nG04 0.02\nM30")) == []
 
 
-def test_a_plc_that_stays_away_is_told_once_at_the_end(tmp_path: Path) -> None:
+def test_a_plc_that_stays_away_is_reported_once_at_the_end(tmp_path: Path) -> None:
     """The first function names the element; M100 (MOS) alone, or a PLC without interface, none."""
     away = GATE.replace("plc_present_w := TRUE", "plc_present_w := FALSE")
     run = perform(tmp_path, "M100\nM7\nG04 0.02\nM7\nM30", away)
@@ -90,7 +90,7 @@ def test_a_plc_that_stays_away_is_told_once_at_the_end(tmp_path: Path) -> None:
     assert perform(tmp_path, "M7\nG04 0.02\nM30", alone).diagnostics == ()
 
 
-def test_a_motion_of_a_cycle_before_the_plc_is_told(tmp_path: Path) -> None:
+def test_a_motion_of_a_cycle_before_the_plc_is_reported(tmp_path: Path) -> None:
     """ST-764: from tick 3 on X needs the releases that the PLC gives; in tick 0 it needs none."""
     text = GATE.replace(
         "gpCh[0]^.head.plc_present_w := TRUE;",
@@ -103,8 +103,8 @@ def test_a_motion_of_a_cycle_before_the_plc_is_told(tmp_path: Path) -> None:
     )
     cycle = "#RT CYCLE [ID=1 SCOPE=PROG]\n$IF ONCE 1\nX[INDP G90 POS=50 FEED=500]\n$ENDIF\n"
     cycle += "#RT CYCLE END\n"
-    told = perform(tmp_path, f"{cycle}G04 0.02\nM30", text).diagnostics
-    (note,) = [one for one in told if one.id == 902965]
+    reported = perform(tmp_path, f"{cycle}G04 0.02\nM30", text).diagnostics
+    (note,) = [one for one in reported if one.id == 902965]
     assert note.text() == (
         "X moved without releases: the PLC announced itself (gpAx[0]^.head.plc_present_w) "
         "only in tick 2"
@@ -114,7 +114,7 @@ def test_a_motion_of_a_cycle_before_the_plc_is_told(tmp_path: Path) -> None:
     assert [one for one in late if one.id == 902965] == []
 
 
-def test_a_job_of_a_cycle_before_the_plc_that_turns_the_spindle_is_told(tmp_path: Path) -> None:
+def test_a_job_of_a_cycle_before_the_plc_that_turns_the_spindle_is_reported(tmp_path: Path) -> None:
     """RC-404, P-CHAN-00069: the job of tick 0 acknowledges itself, that of tick 10 waits."""
     folder = machine_with(tmp_path / "machine")
     lists = folder / "sda_mds1.lis"
@@ -137,9 +137,9 @@ def test_a_job_of_a_cycle_before_the_plc_that_turns_the_spindle_is_told(tmp_path
     assert notes(run) == []
 
 
-@pytest.mark.parametrize(("ticks", "seen", "told"), [(0, 0, 1), (2, 0, 1), (3, 7, 0)])
+@pytest.mark.parametrize(("ticks", "seen", "reported"), [(0, 0, 1), (2, 0, 1), (3, 7, 0)])
 def test_a_function_that_takes_its_time_may_still_reach_the_plc(
-    tmp_path: Path, ticks: int, seen: int, told: int
+    tmp_path: Path, ticks: int, seen: int, reported: int
 ) -> None:
     """P-CHAN-00040: M7 acknowledges itself after its time, in tick 2 nobody has it, in 3 the PLC.
 
@@ -149,14 +149,14 @@ def test_a_function_that_takes_its_time_may_still_reach_the_plc(
     machine = machine_with(tmp_path / "machine", default_sda=lists)
     plc = loaded(tmp_path, GATE)
     run = Controller(machine).run(NcText("part.nc", "M7\nG04 0.02\nM30"), plc=plc)
-    assert (values_in_main(plc, "nSeen"), len(notes(run))) == ([seen], told)
+    assert (values_in_main(plc, "nSeen"), len(notes(run))) == ([seen], reported)
 
 
 @pytest.mark.parametrize(
     ("function", "lists"),
     [("H77", "h_synch[77] MVS_SVS"), ("T1", "tool.synch MVS_SVS")],
 )
-def test_functions_of_other_letters_are_told_as_well(
+def test_functions_of_other_letters_are_reported_as_well(
     tmp_path: Path, function: str, lists: str
 ) -> None:
     """P-CHAN-00027 and P-CHAN-00086: H77 and T1 are MVS_SVS, so that the program waits for them."""
@@ -178,7 +178,7 @@ def test_each_of_several_plcs_may_be_the_one_that_answers(tmp_path: Path) -> Non
 
 
 def test_a_session_tells_it_as_soon_as_the_plc_is_there(tmp_path: Path) -> None:
-    """The diagnostics of a session's slices have the same note: M7 of tick 0, told in tick 2."""
+    """A session's slices have the same note in their diagnostics: M7 of tick 0, seen in tick 2."""
     cell = tmp_path / "cell.st"
     cell.write_text(GATE + EACH_TICK, "utf-8")
     with Session(NcText("part.nc", "M7\nG04 0.02\nM30"), plc=cell) as session:

@@ -80,7 +80,7 @@ def test_many_points_are_thinned_to_the_lowest_and_highest_of_each_piece() -> No
 
 
 def test_the_path_under_a_transformation_is_that_of_the_tip() -> None:
-    """The tip stands still while the head turns about it: only the axes move."""
+    """The tip stays at its place while the head turns about it: only the axes move."""
     controller = Controller(load_machine(Path(machines.__path__[0]) / "demo5"))
     names = signals([axis.name for axis in controller.channel_axes], has_transformations=True)
     text = "N1 G00 X10 Y20 Z30\nN2 #TRAFO ON\nN3 G01 A40 C30 F5000\nM30"

@@ -204,8 +204,8 @@ def test_a_file_for_perfetto_says_why_a_reaction_never_ran(kind: str, tmp_path: 
     name = {"condition": "never true", "reaction": "never ran"}[kind]
     moments = [one for one in found if one["name"] == name]
     assert {one["ts"] for one in moments} == {0}
-    told = {int(one["args"]["place"].split(":")[1]): one["args"]["why not"] for one in moments}
-    assert told == WHY_NOT
+    reported = {int(one["args"]["place"].split(":")[1]): one["args"]["why not"] for one in moments}
+    assert reported == WHY_NOT
 
 
 def test_slices_of_a_track_are_apart(tmp_path: Path) -> None:

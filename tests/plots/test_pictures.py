@@ -81,7 +81,7 @@ def test_reactions_have_numbers_on_the_path() -> None:
     assert path.marks[0].point[0] == pytest.approx(5.0, abs=0.3)
 
 
-def test_feed_and_rapid_motion_are_told_apart() -> None:
+def test_feed_and_rapid_motion_are_reported_apart() -> None:
     """G00, then G01."""
     path = scene(drawn()).path
     assert path is not None
@@ -283,7 +283,7 @@ def test_the_signals_of_the_project_are_drawn(
     ],
     ids=str,
 )
-def test_a_picture_that_cannot_be_is_told_before_the_run(
+def test_a_picture_that_cannot_be_is_reported_before_the_run(
     words: list[str],
     number: int,
     tmp_path: Path,

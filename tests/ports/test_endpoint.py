@@ -163,7 +163,7 @@ def test_silent_visitors_keep_nobody_out(
             assert answer(late) == b""
 
 
-def test_an_address_that_is_taken_is_told(endpoint: Endpoint) -> None:
+def test_an_address_that_is_taken_is_reported(endpoint: Endpoint) -> None:
     """901920, for a name that nobody knows, too."""
     for host, port in (("127.0.0.1", endpoint.port), ("no.such.host.invalid", 0)):
         with pytest.raises(Failure, match="901920"):

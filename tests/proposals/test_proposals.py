@@ -141,7 +141,7 @@ def proposed(target: str, distance: float) -> Proposal:
 @pytest.mark.parametrize(
     ("distances", "equal"), [((), 0), ((0.1,), 1), ((0.1, 0.103), 1), ((0.1, 0.102, 0.2), 2)]
 )
-def test_what_comes_equally_near_is_told(distances: tuple[float, ...], equal: int) -> None:
+def test_what_comes_equally_near_is_reported(distances: tuple[float, ...], equal: int) -> None:
     """Up to 2 % more than the first one is as near: then the log does not choose."""
     found = [proposed(f"P-AXIS-0019{n}", one) for n, one in enumerate(distances, 5)]
     proposals = Proposals(0.5, 20, found)

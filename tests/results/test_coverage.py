@@ -170,7 +170,7 @@ def test_states_of_a_branch(text: str, state: str) -> None:
     assert cycle.state(cycle.branches[-1]) == state
 
 
-def test_a_definition_that_is_not_reached_is_told() -> None:
+def test_a_definition_that_is_not_reached_is_reported() -> None:
     """It has its branches, and none of them ran."""
     text = "$IF V.E.COUNT == 1\n#RT CYCLE\n$IF V.E.COUNT == 1\nM100\n$ENDIF\n#RT CYCLE END\n$ENDIF"
     coverage = cover(f"{text}\n#TIME 0.003\nM30\n")
@@ -216,7 +216,7 @@ def test_json_is_read_as_it_was_written() -> None:
     assert from_json("x.json", "") == Coverage()
 
 
-def test_spoiled_json_is_told() -> None:
+def test_spoiled_json_is_reported() -> None:
     """Each value of another kind, each missing key, is 900801 and no traceback."""
     good = json.loads(as_json(cover(LOOP)))
 

@@ -98,7 +98,7 @@ def cycle_with(count: int) -> Run:
 
 
 def test_the_summary_stays_short() -> None:
-    """At the most that a line tells all are there, one more is counted only."""
+    """Up to the maximum of a line all are named, one more is only counted."""
     line = next(one for one in summary(cycle_with(MAX_FROZEN)) if one.startswith("Frozen"))
     assert line.count("line") == MAX_FROZEN
     assert " more" not in line

@@ -24,11 +24,11 @@ CALLS: dict[str, Callable[[Controller], object]] = {
 
 
 @pytest.mark.parametrize("call", CALLS)
-def test_a_second_thread_is_told_and_no_tick_is_lost(call: str) -> None:
+def test_a_second_thread_is_reported_and_no_tick_is_lost(call: str) -> None:
     """While one thread is in the middle of a run, whatever another one asks for."""
     controller = Controller()
     inside, over = threading.Event(), threading.Event()
-    told: list[int] = []
+    reported: list[int] = []
 
     class Waits:
         """A PLC that stays in its first cycle until the other thread has tried."""
@@ -43,14 +43,14 @@ def test_a_second_thread_is_told_and_no_tick_is_lost(call: str) -> None:
         try:
             CALLS[call](controller)
         except Failure as failure:
-            told.extend(one.id for one in failure.diagnostics)
+            reported.extend(one.id for one in failure.diagnostics)
         over.set()
 
     thread = threading.Thread(target=other)
     thread.start()
     run = controller.run(PART, plc=Waits())
     thread.join(60)
-    assert told == [901005]
+    assert reported == [901005]
     assert (run.state, run.ticks) == ("ended", Controller().run(PART).ticks)
 
 

@@ -190,7 +190,7 @@ def test_what_is_not_the_cycles_makes_no_line() -> None:
     assert report.lines(4) == []
 
 
-def test_an_error_is_told_with_its_text() -> None:
+def test_an_error_is_reported_with_its_text() -> None:
     """RC-602: what the error says comes after its number, in the requested language."""
     place = Span("part.nc", 5, 3, 4)
     report = DiagnosisReport()
@@ -233,7 +233,7 @@ def test_actions_push_out_no_other_lines() -> None:
     assert "older ones" not in report.render(3)
 
 
-def test_lines_of_several_chunks_stand_in_their_order() -> None:
+def test_lines_of_several_chunks_keep_their_order() -> None:
     """The levels are kept apart and shown together, as they happened."""
     report = DiagnosisReport()
     for _ in range(2):

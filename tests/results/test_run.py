@@ -49,7 +49,7 @@ def counted(*events: Event) -> RunStatistics:
     return statistics
 
 
-def test_reactions_are_counted_and_those_that_never_fire_are_told() -> None:
+def test_reactions_are_counted_and_those_that_never_fire_are_reported() -> None:
     """Each branch of a cycle has its count and the ticks of its first and last firing."""
     again = Event(7, 7000, "fired", "17 line 5", at(ONCE), "17")
     assert counted(*EVENTS[:5], again).cycles({"17": 9}, {branch_key("17", ONCE): 5}) == (
@@ -84,7 +84,7 @@ def test_a_definition_that_is_run_again_and_again_is_counted_once() -> None:
     assert (cycle.name, cycle.instances, cycle.reactions[0].became_true) == ("#1", 3, 3)
 
 
-def test_run_throughs_are_told_where_they_belong_to_one_definition() -> None:
+def test_run_throughs_are_reported_where_they_belong_to_one_definition() -> None:
     """Two definitions with one ID share their number: neither is given it."""
     other = Span("part.nc", 33, 1, 2)
     created = [Event(9, 9000, "created", "17 PROG", place, "17") for place in (DEFINED, other)]

@@ -87,17 +87,17 @@ def test_a_run_without_cycles_and_functions_has_no_tables() -> None:
     ]
 
 
-def test_the_limit_is_told_with_the_options_that_set_it() -> None:
+def test_the_limit_is_reported_with_the_options_that_set_it() -> None:
     """A run that came to its limit says how to go further."""
     assert "--until" in summary(Run(("a.nc",), 1000, 0, 5, "limit"))[0]
 
 
-def test_a_program_that_did_not_run_is_told() -> None:
+def test_a_program_that_did_not_run_is_reported() -> None:
     """No tick was run, since the program has errors."""
     assert summary(Run(("a.nc",), 1000, 0, 0, "error"))[0] == "a.nc: not run"
 
 
-def test_on_a_terminal_the_factor_is_told_and_the_tables_are_drawn() -> None:
+def test_on_a_terminal_the_factor_is_reported_and_the_tables_are_drawn() -> None:
     """0.726 s of machine time in 0.01 s are 73 times as fast."""
     file = Terminal()
     print_summary(RUN, file, wall_s=0.01)

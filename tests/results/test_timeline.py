@@ -102,7 +102,7 @@ def test_cycles_without_id_of_one_definition_share_a_track() -> None:
     assert [track.label for track in run.of("reaction")] == ["#1: 7"]
 
 
-def test_the_oldest_firings_stand_where_the_history_begins_later() -> None:
+def test_the_oldest_firings_are_where_the_history_begins_later() -> None:
     """The history of a body keeps its newest series; the events before them are shown."""
     run = drawn()
     assert run.why is not None
@@ -135,7 +135,7 @@ def test_messages_errors_and_the_end_are_moments() -> None:
     assert failed.of("error")[0].slices[0].name.startswith("error ")
 
 
-def test_tracks_stand_in_the_order_of_their_kinds() -> None:
+def test_tracks_are_in_the_order_of_their_kinds() -> None:
     """Whatever came first in the run."""
     kinds = [track.kind for track in timeline(drawn()).tracks]
     assert kinds == sorted(kinds, key=KINDS.index)

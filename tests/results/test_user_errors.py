@@ -96,7 +96,7 @@ def test_only_a_restart_clears_a_fatal_error() -> None:
     assert [one.id for one in failure.value.diagnostics] == [900466]
 
 
-def test_errors_of_cycles_stand_in_the_diagnosis_data() -> None:
+def test_errors_of_cycles_are_in_the_diagnosis_data() -> None:
     """RC-601: a warning at level 2, an error at level 1, both with their texts."""
     report = DiagnosisReport()
     text = "#RT CYCLE [ID=4 SCOPE=PROG]\n$IF ONCE TRUE\n#ERROR [ID=1 RC=0]\n#ERROR [ID=2 RC=1]\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Memory of the report is bounded: what is kept, what is told of the rest."""
+"""Memory of the report is bounded: what is kept, what is reported of the rest."""
 
 from __future__ import annotations
 

@@ -79,7 +79,7 @@ def test_the_nearest_miss_is_kept() -> None:
     assert nearest.distance == pytest.approx(0.002)
 
 
-def test_a_mirrored_comparison_is_told_as_it_is_evaluated() -> None:
+def test_a_mirrored_comparison_is_reported_as_it_is_evaluated() -> None:
     """``200 < x`` is true when ``x > 200`` is: left and operator belong together."""
     (cycle,) = why(ONCE.replace("V.RTA.ACS.ACT_POS.X > 200", "200 < V.RTA.ACS.ACT_POS.X")).cycles
     condition = cycle.branches[0].condition

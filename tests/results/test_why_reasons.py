@@ -130,9 +130,9 @@ def test_a_fault_in_the_condition_itself() -> None:
     reason = never(report, cycle, 0)
     assert reason is not None
     assert (reason.kind, reason.number) == ("fault", 50879)
-    told = why_branch_idle(cycle, branch, 0)
-    assert told is not None
-    assert told.kind == "fault"
+    reported = why_branch_idle(cycle, branch, 0)
+    assert reported is not None
+    assert reported.kind == "fault"
 
 
 def test_a_cycle_that_another_one_stops() -> None:

@@ -100,12 +100,12 @@ def test_one_tick() -> None:
 def test_what_is_to_blame_is_followed_outwards() -> None:
     """The inner branch names the outer one, and why that did not run."""
     text = why(NESTED).render()
-    told = "never ran: not reached: line 2 did not run: never true, nearest at tick 0 (0 s): "
-    assert f"{told}0 == 1, 1 away" in text
+    reported = "never ran: not reached: line 2 did not run: never true, nearest at tick 0 (0 s): "
+    assert f"{reported}0 == 1, 1 away" in text
 
 
 @pytest.mark.parametrize(
-    ("text", "language", "told"),
+    ("text", "language", "reported"),
     [
         (
             "#RT CYCLE DEF [ID=1]\n#RT CYCLE END\n",
@@ -143,9 +143,9 @@ def test_what_is_to_blame_is_followed_outwards() -> None:
         ),
     ],
 )
-def test_what_a_cycle_went_through(text: str, language: str, told: str) -> None:
+def test_what_a_cycle_went_through(text: str, language: str, reported: str) -> None:
     """The steps of a life, and why there was none."""
-    assert told in why(f"{text}M30\n").render("de" if language == "de" else "en")
+    assert reported in why(f"{text}M30\n").render("de" if language == "de" else "en")
 
 
 def test_a_long_list_shows_its_ends() -> None:
@@ -176,7 +176,7 @@ def test_a_line_outside_of_every_branch() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "cycle", "line", "number", "told"),
+    ("text", "cycle", "line", "number", "reported"),
     [
         (ONCE, "18", None, 900574, "17"),
         (ONCE, None, 9, 900575, "3"),
@@ -186,14 +186,14 @@ def test_a_line_outside_of_every_branch() -> None:
     ],
 )
 def test_what_there_is_not(
-    text: str, cycle: str | None, line: int | None, number: int, told: str
+    text: str, cycle: str | None, line: int | None, number: int, reported: str
 ) -> None:
     """An unknown cycle or line is reported with what there is."""
     with pytest.raises(Failure) as failure:
         why(text).select(cycle, line)
     (found,) = failure.value.diagnostics
     assert found.id == number
-    assert told in found.remedy()
+    assert reported in found.remedy()
 
 
 @pytest.mark.parametrize("tick", [-1, 726])
@@ -207,13 +207,13 @@ def test_a_tick_outside_of_the_run(tick: int) -> None:
     assert failure.value.diagnostics[0].id == 900576
 
 
-def test_a_frozen_value_is_told() -> None:
+def test_a_frozen_value_is_reported() -> None:
     """RC-302: V.E.ASYNC is 7 when the definition is decoded; that it becomes 0 changes nothing."""
     text = "V.E.ASYNC = 7\n#RT CYCLE\n$IF V.E.VALUE > V.E.ASYNC\n$ENDIF\n#RT CYCLE END\n"
     report = why(f"{text}V.E.ASYNC = 0\n#TIME 0.01\nM30\n", set={"V.E.VALUE": 5})
-    told = "    V.E.ASYNC is 7, frozen when the definition was decoded\n"
-    assert told in report.render()
-    assert told in report.render_at(3)
+    reported = "    V.E.ASYNC is 7, frozen when the definition was decoded\n"
+    assert reported in report.render()
+    assert reported in report.render_at(3)
     assert "5 > 7, 2 away" in report.render()
 
 

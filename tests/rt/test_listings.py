@@ -144,7 +144,7 @@ def test_a_program_without_cycles(
     assert captured.err.startswith("note 900591: no realtime cycle was defined")
 
 
-def test_an_error_behind_a_cycle(
+def test_an_error_after_a_cycle(
     capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What was decoded before an error is listed; the error is reported, exit code 1."""
@@ -170,9 +170,9 @@ def test_a_limit(capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPat
 def test_wrong_words(capsys: Captured) -> None:
     """What cannot be used is reported as for nctakt run: exit code 2."""
     assert main(["disassemble", "nowhere.nc", "--set", "V.E.COUNT"]) == 2
-    told = capsys.readouterr().err
-    assert "error 900500" in told
-    assert "error 900511" in told
+    reported = capsys.readouterr().err
+    assert "error 900500" in reported
+    assert "error 900511" in reported
 
 
 def test_values_at_times(capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

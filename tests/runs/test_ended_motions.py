@@ -32,12 +32,12 @@ def perform(commands: str = FAR, action: str = "", control: str = "") -> Run:
     return Controller().run(NcText("part.nc", text), signals=["Z.ACS.CUR_POS"])
 
 
-def told(run: Run) -> list[str]:
+def reported(run: Run) -> list[str]:
     """The notes, without their numbers."""
     return [one.text() for one in run.diagnostics if one.id == 902001]
 
 
-def test_a_motion_that_the_programs_end_cuts_off_is_told() -> None:
+def test_a_motion_that_the_programs_end_cuts_off_is_reported() -> None:
     """MOVE_ABORT is the default: the axis brakes, and the note says how far it did not come."""
     run = perform()
     (note,) = run.diagnostics
@@ -45,7 +45,7 @@ def test_a_motion_that_the_programs_end_cuts_off_is_told() -> None:
     position = run.trace["Z.ACS.CUR_POS"][-1]
     assert 5.0 < position < 15.0  # about 0.1 s at 100 mm/s
     left = f"{900.0 - position:.4g}"
-    assert told(run) == [
+    assert reported(run) == [
         f"Z stopped {left} mm before its target: realtime cycle 1 ended (MOVE_ABORT)"
     ]
     assert note.span is not None
@@ -75,16 +75,16 @@ def test_a_motion_that_the_programs_end_cuts_off_is_told() -> None:
         (f"{FAR}\nV.E.VALUE = 1 / V.E.VALUE", "", "", []),  # the error is reported
     ],
 )
-def test_what_is_told_and_what_is_not(
+def test_what_is_reported_and_what_is_not(
     commands: str, action: str, control: str, expected: list[str]
 ) -> None:
     """A note for what ends in silence, none where somebody has asked for it or knows already."""
-    found = told(perform(commands, action, control))
+    found = reported(perform(commands, action, control))
     assert len(found) == len(expected)
     assert all(words in text for text, words in zip(found, expected, strict=True))
 
 
-def test_an_axis_that_is_taken_over_while_it_brakes_is_not_told() -> None:
+def test_an_axis_that_is_taken_over_while_it_brakes_is_not_reported() -> None:
     """A GLOBAL cycle sends Z elsewhere in the tick in which the other one is deleted."""
     text = """\
 #RT CYCLE [ID=2 SCOPE=GLOBAL END_ACTION=MOVE_CONT]
@@ -104,10 +104,10 @@ V.E.CONDITION = 1
 #RT CYCLE DELETE [ID=2]
 M30
 """
-    assert told(Controller().run(NcText("part.nc", text))) == []
+    assert reported(Controller().run(NcText("part.nc", text))) == []
 
 
-def test_a_place_is_told_once() -> None:
+def test_a_place_is_reported_once() -> None:
     """A BLOCK cycle in a loop ends with each block."""
     text = """\
 $FOR P1 = 1, 3, 1
@@ -121,7 +121,7 @@ $ENDIF
 $ENDFOR
 M30
 """
-    assert len(told(Controller().run(NcText("part.nc", text)))) == 1
+    assert len(reported(Controller().run(NcText("part.nc", text)))) == 1
 
 
 def test_motions_and_jobs_are_counted() -> None:

@@ -203,5 +203,5 @@ def test_cycle_decoder_and_evaluator_agree(seed: int) -> None:
     assert in_cycle.errors == in_program.errors == (), cycle
     assert in_cycle.trace is not None
     assert in_cycle.trace.at(0, "V.E.VALUE1") == pytest.approx(expected, rel=1e-9, abs=1e-9), cycle
-    told = float(in_program.messages[0].text)
-    assert told == pytest.approx(expected, rel=1e-9, abs=1e-9), program
+    reported = float(in_program.messages[0].text)
+    assert reported == pytest.approx(expected, rel=1e-9, abs=1e-9), program

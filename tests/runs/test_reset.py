@@ -77,7 +77,7 @@ def test_a_reset_at_rest_takes_a_tick_without_cycles() -> None:
     assert values(controller) == [401, 325, 325]
 
 
-def test_ids_are_free_behind_a_reset() -> None:
+def test_ids_are_free_after_a_reset() -> None:
     """RC-007, RC-108: IDs of PROG and BLOCK cycles may be used again, that of a GLOBAL one not."""
     controller = started(10)
     controller.reset()

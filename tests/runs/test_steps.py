@@ -82,7 +82,7 @@ def test_errors_of_a_step_are_its_diagnostics() -> None:
     "options",
     [{"set": {"V.E.VALU": 1}}, {"at": [("1 s", "V.E.VALU", 1)]}, {"at": [("1 x", "", 1)]}],
 )
-def test_wrong_values_are_told_before_a_program_begins(options: dict[str, Any]) -> None:
+def test_wrong_values_are_reported_before_a_program_begins(options: dict[str, Any]) -> None:
     controller = Controller()
     with pytest.raises(Failure):
         controller.start(PROGRAM, **options)

@@ -114,5 +114,5 @@ def test_what_is_written_is_read_again(steps: list[tuple[int, Input]], parts: in
         {"tick": 1, "inputs": [["plc", "write", "V.E.A", None]]},
     ],
 )
-def test_what_no_tape_has_is_told(entry: dict[str, Any]) -> None:
+def test_what_no_tape_has_is_reported(entry: dict[str, Any]) -> None:
     assert isinstance(inputs_of(entry), str)

@@ -95,7 +95,7 @@ priority = 90
 """
 
 
-def test_external_thread_behind_a_suspended_one() -> None:
+def test_external_thread_after_a_suspended_one() -> None:
     """The PLC runs in Windows' time, and what was suspended goes on before it in the next cycle."""
     load = PLC_BELOW.format(geo=100, bg=1600, plc=700, interrupt="phase = 1")
     analysis, simulated = behind(6000, load)
@@ -103,7 +103,7 @@ def test_external_thread_behind_a_suspended_one() -> None:
     assert analysis.tasks[2].can_overflow
 
 
-def test_external_thread_behind_one_that_is_suspended_late() -> None:
+def test_external_thread_after_one_that_is_suspended_late() -> None:
     """By elapsed time suspension can come a time slice later: the PLC waits longer."""
     load = PLC_BELOW.format(geo=100, bg=1900, plc=300, interrupt="phase = 1")
     ticks, _ = behind(6000, load)

@@ -102,7 +102,7 @@ def test_several_processors(folder: Path, capsys: Capture) -> None:
     ("words", "number"), [(["--plot", "a.pdf"], 900635), (["--plot", "missing/a.svg"], 900507)]
 )
 def test_bad_pictures(folder: Path, capsys: Capture, words: list[str], number: int) -> None:
-    """Told before anything is simulated; nothing is shown."""
+    """Reported before anything is simulated; nothing is shown."""
     assert run(folder, *words) == 2
     captured = capsys.readouterr()
     assert f"error {number}" in captured.err and captured.out == ""

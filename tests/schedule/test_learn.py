@@ -120,7 +120,7 @@ def test_bits_of_all_threads_are_enough(geo: int, rnd: int, mmi: int, com: int) 
         assert set(found) == {times[name] * US}
 
 
-def test_suspension_that_nobody_can_know() -> None:
+def test_suspension_that_cannot_be_known() -> None:
     """An interrupt from outside: the timer's phase is not in the recording."""
     model, _ = make(BITS, load_text(TIGHT), convention="field")
     learnt = learn(model, bits_only(model, 12))

@@ -78,7 +78,7 @@ def test_times_may_have_units() -> None:
     assert load.functions["task_rnd"] == Execution((1_000_000, 650_500, 500))
 
 
-def test_a_text_that_is_not_toml_is_told_at_its_place() -> None:
+def test_a_text_that_is_not_toml_is_reported_at_its_place() -> None:
     """900620 has line and column."""
     collector = Collector()
     read_load("load.toml", "[functions]\ntask_int 400", collector)

@@ -95,7 +95,7 @@ def test_line_ends_and_encoding_stay(end: str, encoding: str) -> None:
     assert anew.data == expected
 
 
-def test_what_stands_behind_the_end_stays() -> None:
+def test_text_after_the_end_stays() -> None:
     """Text after End or the character that ends a file is nobody's."""
     for tail in ("End\nnotes\n", "End\n\x1acycle_time x"):
         text = BEFORE + tail

@@ -230,8 +230,8 @@ def test_starving_threads(folder: Path, capsys: Capture) -> None:
         run(command, *words)
         err = capsys.readouterr().err
         for name, due in (("BACKGROUND_", 500), ("MMI_DRIVER", 167), ("COM", 250)):
-            told = next(line for line in err.splitlines() if f"warning 900636: {name} " in line)
-            assert ": 0 times" in told and f" {due} times" in told
+            reported = next(line for line in err.splitlines() if f"warning 900636: {name} " in line)
+            assert ": 0 times" in reported and f" {due} times" in reported
 
 
 def test_a_mistake_of_the_load_is_shown_as_it_is_written(folder: Path, capsys: Capture) -> None:

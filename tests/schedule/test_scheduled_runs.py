@@ -301,7 +301,7 @@ def test_words_of_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]
 def test_priorities_of_another_system(tmp_path: Path) -> None:
     """P-RTCF-00010: on VxWorks 115 is less urgent than 105, so the decoder comes first.
 
-    It wants 1200 µs and is suspended at 750, so it ends at 450 of the cycle behind: an overflow in
+    It wants 1200 µs and is suspended at 750, so it ends at 450 of the next cycle: an overflow in
     the NC cycles 1 and 3, ticks 0 and 2. GEO comes after it, and in each cycle.
     """
     load = LOAD.replace("task_rnd = 600", "task_rnd = 1200")

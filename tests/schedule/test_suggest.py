@@ -105,7 +105,7 @@ def test_the_list_that_is_written_has_the_slacks(folder: Path, capsys: Capture) 
 
 
 def test_a_list_that_needs_nothing(folder: Path, capsys: Capture) -> None:
-    """It is reported what could be more; one call more and a slack is gone."""
+    """The larger possible number of calls is reported; with one more, no slack is left."""
     (folder / "load.toml").write_text(load_text(NOMINAL | {"task_rnd": 100}), "utf-8")
     assert run(folder, "--lang", "de", "--format", "json") == 0
     document = json.loads(capsys.readouterr().out)

@@ -131,7 +131,7 @@ def test_an_interpolation_of_two_nc_cycles() -> None:
 
 
 @pytest.mark.parametrize(("priority", "calls"), [(110, [1, 1, 1]), (120, [1, 1, 1])])
-def test_a_plc_behind_or_before_the_interpolation(priority: int, calls: list[int]) -> None:
+def test_a_plc_after_or_before_the_interpolation(priority: int, calls: list[int]) -> None:
     """P-RTCF-00007: one call between two ticks, whichever comes first."""
     further = f"[external.plc]\ntime = 50\npriority = {priority}\n"
     found = shares(3, EXTERNAL, further=further, plc=2)

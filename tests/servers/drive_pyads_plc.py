@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""pyads drives the PLC behind the ADS server: drive_pyads_plc.py HOST:PORT NETID."""
+"""pyads uses the PLC through the ADS server: drive_pyads_plc.py HOST:PORT NETID."""
 
 from __future__ import annotations
 

@@ -69,7 +69,7 @@ def test_ads_client_of_npm(server: Server, tmp_path: Path) -> None:
 
 @pytest.mark.nightly
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no full disk to write to")
-def test_a_full_disk_for_the_tape_is_told_at_the_end(tmp_path: Path) -> None:
+def test_a_full_disk_for_the_tape_is_reported_at_the_end(tmp_path: Path) -> None:
     """Clients are served as ever; the end reports that the tape could not be written (900507)."""
     found = Server(tmp_path, "--record=/dev/full")
     with socket.create_connection(found.address.split(":")) as client:

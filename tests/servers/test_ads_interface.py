@@ -126,7 +126,7 @@ def test_an_edge_counts_once() -> None:
     with_hmi(act)
 
 
-def test_what_has_no_effect_is_kept_and_told_once() -> None:
+def test_what_has_no_effect_is_kept_and_reported_once() -> None:
     async def act(hmi: Hmi, found: Bench) -> None:
         path = "gpAx[0]^.lr_mc_control.add_cmd_values.command_w"
         assert await hmi.put(path, "8i", 5, 6, 0, 0, 0, 0, 0, 0) == 0
@@ -191,7 +191,7 @@ def test_an_error_is_new_until_its_reader_clears_the_semaphore() -> None:
     with_hmi(act)
 
 
-def test_external_variables_stand_behind_their_pointers() -> None:
+def test_external_variables_follow_their_pointers() -> None:
     """The packed memory of the lists (P-STUP-00145), GLOBAL and of the channel."""
 
     async def act(hmi: Hmi, found: Bench) -> None:

@@ -175,7 +175,7 @@ def test_what_cannot_be_answered_has_its_error() -> None:
 
 
 def test_an_error_of_our_own_has_an_answer_and_the_next_request_too() -> None:
-    """Nobody waits forever, and nobody is told that it has been done."""
+    """No one waits forever, and no one is informed of success."""
 
     async def act(found: Bench) -> None:
         def fail(_: object) -> list[int]:
@@ -190,7 +190,7 @@ def test_an_error_of_our_own_has_an_answer_and_the_next_request_too() -> None:
     assert "request" in [json.loads(line)["event"] for line in with_bench(act)]
 
 
-def test_who_is_not_permitted_gets_the_error_of_symbols_and_stands_in_the_log_once() -> None:
+def test_who_is_not_permitted_gets_the_error_of_symbols_and_is_logged_once() -> None:
     """A NetId that is not in the list: 0x710, reported once (AD-6)."""
 
     async def act(found: Bench) -> None:
@@ -431,7 +431,7 @@ def test_limits_hold_at_their_number(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_newcomer_gets_a_notification_where_others_hold_all(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """The oldest one of the connection with most of them goes, and its client is told."""
+    """The oldest one of the connection with most of them goes, and its client is informed."""
     monkeypatch.setattr(notifications, "MAX_ALL_NOTIFICATIONS", 5)
     monkeypatch.setattr(clients, "MAX_CONNECTION_HANDLES", 2)
 

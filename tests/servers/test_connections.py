@@ -58,7 +58,7 @@ def test_a_message_has_its_time(looks: tuple[tuple[int, bool], ...], late_s: flo
 
 
 def test_ads_ends_what_never_ends_and_makes_room(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A frame without an end; an idle connection where all places are taken, none that is told."""
+    """A frame without an end; an idle connection when all places are taken, unless notified."""
     monkeypatch.setattr(connections, "HEADER_S", 0.05)
     monkeypatch.setattr(ads, "MAX_CONNECTIONS", 2)
     monkeypatch.setattr(ads, "IDLE_S", 0.0)

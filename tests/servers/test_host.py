@@ -146,7 +146,7 @@ def test_who_does_not_take_notices_is_dropped() -> None:
         slow = notices.subscribe(lambda: dropped.append("slow"), limit=2)
         quick = notices.subscribe(lambda: dropped.append("quick"), limit=3)
         for tick in range(3):
-            notices.tell(ServerNotice("ended", tick, ""))
+            notices.notify(ServerNotice("ended", tick, ""))
         assert dropped == ["slow"]
         assert slow.is_dropped
         assert [(await quick.next()).tick for _ in range(3)] == [0, 1, 2]
@@ -164,10 +164,10 @@ def test_notices_by_the_thousand_at_once_do_not_end_the_servers() -> None:
         host.notices.listen(fail)
         end = EndSignal(host)
         for tick in range(2000):
-            host.notices.tell(ServerNotice("ended", tick, ""))
+            host.notices.notify(ServerNotice("ended", tick, ""))
         with pytest.raises(TimeoutError):
             await asyncio.wait_for(end.wait(), 0.01)
-        host.notices.tell(ServerNotice("refused", 2000, "a slice has failed"))
+        host.notices.notify(ServerNotice("refused", 2000, "a slice has failed"))
         with pytest.raises(Failure, match="a slice has failed"):
             await asyncio.wait_for(end.wait(), 30.0)
 
@@ -262,7 +262,7 @@ def test_a_log_outlives_a_text_that_cannot_be_encoded(tmp_path: Path) -> None:
     assert reasons == ["no V.E.\udc80", "größer"]
 
 
-def test_a_refusal_that_comes_again_is_told_with_its_number() -> None:
+def test_a_refusal_that_comes_again_is_reported_with_its_number() -> None:
     """The log holds one line in ten seconds for the same refusal of the same client."""
     now = 0.0
     lines: list[str] = []
@@ -285,10 +285,10 @@ def test_a_client_that_comes_from_each_port_has_a_line_and_then_a_count() -> Non
     assert len(lines) == 3
     now = 10.0
     log.refuse("ads", "9.9.9.9.1.1:5", "the NetId is not permitted")
-    log.tell_counts()
-    told = [(line["client"], line.get("repeated")) for line in map(json.loads, lines[3:])]
-    assert told[:3] == [("1.2.3.4.1.1:0", 999), ("[fe80::0]:0", 499), ("[fe80::1]:1", 499)]
-    assert told[3:] == [("9.9.9.9.1.1:5", None)]
+    log.report_counts()
+    reported = [(line["client"], line.get("repeated")) for line in map(json.loads, lines[3:])]
+    assert reported[:3] == [("1.2.3.4.1.1:0", 999), ("[fe80::0]:0", 499), ("[fe80::1]:1", 499)]
+    assert reported[3:] == [("9.9.9.9.1.1:5", None)]
 
 
 def test_a_client_that_calls_itself_otherwise_each_time_does_not_fill_the_log() -> None:

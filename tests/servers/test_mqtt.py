@@ -216,7 +216,7 @@ def test_a_retained_request_is_refused(port: int) -> None:
     assert "a retained press" in [line.get("reason") for line in log]
 
 
-def test_a_broker_that_is_not_there_is_told(port: int) -> None:
+def test_a_broker_that_is_not_there_is_reported(port: int) -> None:
     """901451 with the reason, before anything is served."""
 
     async def live(session: Session) -> None:
@@ -377,7 +377,7 @@ def test_a_broker_that_comes_back_is_served_again() -> None:
     assert len(connections) == 3
 
 
-def test_requests_beyond_a_number_are_dropped_and_told() -> None:
+def test_requests_beyond_a_number_are_dropped_and_reported() -> None:
     """1,000 at once, each longer than a request may be: none fills the memory."""
 
     async def then(writer: asyncio.StreamWriter) -> None:

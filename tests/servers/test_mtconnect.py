@@ -137,7 +137,7 @@ def test_an_error_is_a_fault_until_it_is_cleared() -> None:
         await host.ask(host.session.run, "10 ms")
         assert host.store.frame is not None
         values = {**host.store.values, "HLI.ERROR": 20847.0}
-        host.store.take(replace(host.store.frame, values=values))
+        host.store.receive(replace(host.store.frame, values=values))
         await agent.until(lambda: agent.values["p1_logic"] == "FAULT|20847|||error 20847")
 
     at_the_endpoint(act)
@@ -178,8 +178,8 @@ def test_many_texts_at_once_do_not_end_what_an_agent_hears() -> None:
         await agent.until(lambda: agent.values.get("avail") == "AVAILABLE")
         message = ProgramMessage(0, "last")
         for tick in range(1001):
-            host.notices.tell(ServerNotice("ended", tick, ""))
-        host.notices.tell(ServerNotice("message", 1001, "last", message=message))
+            host.notices.notify(ServerNotice("ended", tick, ""))
+        host.notices.notify(ServerNotice("message", 1001, "last", message=message))
         await agent.until(lambda: agent.values["message"] == "|last")
 
     at_the_endpoint(act)

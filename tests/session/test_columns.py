@@ -18,8 +18,8 @@ from nctakt.session.core import SessionCore
 from nctakt.session.history import columns
 from nctakt.session.history.branch import Branch
 from nctakt.session.history.columns import ColumnRecord, ColumnTrail, Necessary, extent_end
+from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.session.process.worker import can_fork
-from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.setup import Setup
 from nctakt.session.stops import EventFilter, StopAt, read_stop
 

@@ -15,7 +15,7 @@ from nctakt import NcText
 from nctakt.base.failure import Failure
 from nctakt.session.core import SessionCore
 from nctakt.session.history import timeline
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.session.session import Session
 
 pytestmark = pytest.mark.slow
@@ -90,13 +90,13 @@ def test_travel_tells_how_far_it_has_come(
     session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(timeline, "PART_TICKS", 100)
-    told: list[tuple[int, int]] = []
-    session.on_travel = lambda done, whole: told.append((done, whole))
+    reported: list[tuple[int, int]] = []
+    session.on_travel = lambda done, whole: reported.append((done, whole))
     assert session.back_to(AGAIN) is None
     session.on_travel = None
-    assert len(told) > 10
-    assert {whole for _, whole in told} == {session.tick - 1}
-    assert [done for done, _ in told] == sorted(done for done, _ in told)
+    assert len(reported) > 10
+    assert {whole for _, whole in reported} == {session.tick - 1}
+    assert [done for done, _ in reported] == sorted(done for done, _ in reported)
     assert session.progress is None
 
 

@@ -34,8 +34,8 @@ from nctakt.session.history.past_runs import PastRuns
 from nctakt.session.history.record import BranchRecord, PastMark
 from nctakt.session.history.trail import MARK_US, Mark
 from nctakt.session.listening import Notice
+from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.session.process.worker import can_fork
-from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup
 from nctakt.session.stops import EventFilter, StopAt, read_stop
@@ -172,17 +172,17 @@ def test_sessions_say_it_to_those_who_listen(monkeypatch: pytest.MonkeyPatch) ->
         session.go_to(10)
         let_differ(monkeypatch)
         session.play(1000.0)
-        told: dict[str, Notice] = {}
-        while "refused" not in told:
-            told |= {notice.kind: notice for notice in listener.notices(20.0)}
-        assert "901901" in told["refused"].text
-        assert "interner Fehler" in told["refused"].text_de
+        reported: dict[str, Notice] = {}
+        while "refused" not in reported:
+            reported |= {notice.kind: notice for notice in listener.notices(20.0)}
+        assert "901901" in reported["refused"].text
+        assert "interner Fehler" in reported["refused"].text_de
         assert not session.is_playing
 
 
 @needs_copies
 def test_a_program_that_was_changed_on_disk_has_no_past(tmp_path: Path) -> None:
-    """Of a long program the lines are read again; it is told that they are others now."""
+    """The lines of a long program are read again; a change in them is reported."""
     path = tmp_path / "p.nc"
     lines = [f"G01 X{number % 2 * 0.3} F6000 ; {number:030}" for number in range(30_000)]
     path.write_text("\n".join([*lines, "M30"]), "utf-8")
@@ -309,7 +309,7 @@ def test_marks_that_are_too_near_give_way() -> None:
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_parked_controllers_stand_dense_near_the_present(seed: int) -> None:
+def test_parked_controllers_are_dense_near_the_present(seed: int) -> None:
     """On both sides of the present; the first and the last one always stay."""
     chance = random.Random(seed)
     parked = sorted(chance.uniform(0, 1e8) for _ in range(300))

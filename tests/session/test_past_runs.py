@@ -18,8 +18,8 @@ from nctakt.session.core import SessionCore
 from nctakt.session.history import past_runs
 from nctakt.session.history.past import Past
 from nctakt.session.history.past_runs import PastRuns
+from nctakt.session.process.process_pool import ProcessPool
 from nctakt.session.process.worker import can_fork
-from nctakt.session.process.workshop import ProcessPool
 from nctakt.session.setup import Setup
 
 pytestmark = [
@@ -117,7 +117,7 @@ def test_beside_a_plc(opened: list[Any], tmp_path: Path) -> None:
 
 
 def test_several_ask_at_once(opened: list[Any]) -> None:
-    """Each gets its own place, whatever the others leave behind."""
+    """Each gets its own place, whatever files the others leave."""
     with session() as (core, runs):
         pasts = [core.past(tick) for tick in (600, 50, 310)]
         with ThreadPoolExecutor(len(pasts)) as threads:

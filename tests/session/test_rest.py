@@ -38,7 +38,7 @@ def opened() -> Iterator[Any]:
         yield begin
 
 
-def told(done: StepResult) -> list[tuple[int, str]]:
+def reported(done: StepResult) -> list[tuple[int, str]]:
     """The notes of a slice that nothing happens any more: line and text."""
     return [
         (one.span.line if one.span else 0, one.headline("en"))
@@ -53,13 +53,13 @@ def test_the_next_block_in_single_block_waits_for_start(opened: Any) -> None:
     assert session.next_block().blocks[1].line == 1
     done = session.next_block()
     assert done.is_resting
-    assert [line for line, _ in told(done)] == [2]
-    assert "START in single block mode" in told(done)[0][1]
+    assert [line for line, _ in reported(done)] == [2]
+    assert "START in single block mode" in reported(done)[0][1]
     assert session.read("X.ACS.CMD_POS") == [1.0]
     assert any(event.kind == "paused" and event.tick == done.tick - 1 for event in done.events)
     tick = session.tick
     again = session.next_block()
-    assert (again.tick, again.is_resting, len(told(again))) == (tick, True, 1)
+    assert (again.tick, again.is_resting, len(reported(again))) == (tick, True, 1)
     session.write({"HLI.START": 1})
     assert session.next_block().blocks[1].line == 2
 
@@ -70,7 +70,7 @@ def test_a_run_ends_at_m00_and_in_feed_hold_and_at_an_override_of_0(opened: Any)
     session = opened(single=False)
     done = session.run()
     assert done.is_resting
-    assert "START after M00" in told(done)[0][1]
+    assert "START after M00" in reported(done)[0][1]
     for name, value, text in (
         ("HLI.FEED_HOLD", 1, "end of the feed hold"),
         ("HLI.OVERRIDE", 0, "an override above 0"),
@@ -80,7 +80,7 @@ def test_a_run_ends_at_m00_and_in_feed_hold_and_at_an_override_of_0(opened: Any)
         held.write({name: value})
         done = held.run()
         assert (done.is_resting, done.tick) == (True, 1000)
-        assert text in told(done)[0][1]
+        assert text in reported(done)[0][1]
 
 
 def test_what_can_still_happen_is_awaited(opened: Any) -> None:
@@ -101,13 +101,13 @@ def test_what_can_still_happen_is_awaited(opened: Any) -> None:
     assert timed.tick == 7000
 
 
-def test_a_function_that_nobody_acknowledges_is_told(opened: Any) -> None:
+def test_a_function_that_nobody_acknowledges_is_reported(opened: Any) -> None:
     """Acknowledged by hand; with an automatic acknowledgement it goes on."""
     text = "M111\nG01 X1 F6000\nM30\n"
     session = opened(text, single=False, acknowledges=False)
     done = session.run()
     assert done.is_resting
-    assert "the PLC's acknowledgement of M111" in told(done)[0][1]
+    assert "the PLC's acknowledgement of M111" in reported(done)[0][1]
     ((channel, entry),) = session.waiting()
     session.acknowledge(channel, entry)
     assert session.run().run_state == "ended"

@@ -18,8 +18,8 @@ from nctakt import Controller, Failure, NcText
 from nctakt.run.access.inputs import Input
 from nctakt.session import Session
 from nctakt.session.engine import Engine
+from nctakt.session.process.process_pool import ProcessPool
 from nctakt.session.process.worker import can_fork
-from nctakt.session.process.workshop import ProcessPool
 from nctakt.session.setup import Setup
 from nctakt.session.stops import StopAt, read_stop
 
@@ -84,7 +84,7 @@ def session(shared: Session) -> Session:
         ("error", 1076),  # never: the end of the run
     ],
 )
-def test_a_stop_ends_behind_the_tick_in_which_it_holds(
+def test_a_stop_ends_after_the_tick_in_which_it_holds(
     session: Session, stop: str, tick: int
 ) -> None:
     assert session.run(until=stop).tick == tick
@@ -108,7 +108,7 @@ def test_a_count_goes_on_over_slices(session: Session) -> None:
     assert session.run().tick == 46
 
 
-def test_all_mistakes_of_stops_are_told_and_the_old_ones_stay(session: Session) -> None:
+def test_all_mistakes_of_stops_are_reported_and_the_old_ones_stay(session: Session) -> None:
     session.set_stops("M100")
     with pytest.raises(Failure) as failure:
         session.set_stops("V.E.FOO > 1", "line x", "V.P.A > 1", "V.E.COUNT >", StopAt("function"))
@@ -344,7 +344,7 @@ def test_a_program_with_errors_is_a_session_that_is_over() -> None:
         assert session.description.diagnostics[0].id == 20797
 
 
-def test_a_setup_that_cannot_be_is_told_at_once(tmp_path: Path) -> None:
+def test_a_setup_that_cannot_be_is_reported_at_once(tmp_path: Path) -> None:
     with pytest.raises(Failure, match="900500"):
         Session(tmp_path / "nofile.nc")
     with pytest.raises(Failure, match="NO"):
@@ -376,7 +376,7 @@ def test_a_time_that_has_passed_runs_nothing(session: Session) -> None:
     assert session.run("20 ms").tick == 50
 
 
-def test_the_slices_of_a_run_are_told_as_one(session: Session) -> None:
+def test_the_slices_of_a_run_are_reported_as_one(session: Session) -> None:
     done = session.run()
     expected = Controller().run(NcText("p.nc", PROGRAM), at=PULSES, blocks=True)
     assert (done.first_tick, done.tick) == (0, expected.ticks)
@@ -384,7 +384,7 @@ def test_the_slices_of_a_run_are_told_as_one(session: Session) -> None:
     assert [message.text for message in done.messages] == ["there"]
 
 
-def test_a_controller_that_cannot_start_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_controller_that_cannot_start_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     """Nobody waits for a process that ends before it has reported."""
     monkeypatch.setattr(sys, "executable", shutil.which("false") or "false")
     with pytest.raises(Failure, match="901153"):
@@ -405,7 +405,7 @@ def test_a_session_goes_back_without_copies_too(monkeypatch: pytest.MonkeyPatch)
 
 
 @pytest.mark.skipif(not can_fork(), reason="controllers are not parked on this system")
-def test_a_controller_that_is_gone_is_told_and_left_behind() -> None:
+def test_a_controller_that_is_gone_is_reported_and_left_behind() -> None:
     with opened() as session:
         session.run("100 ms")
         session.back(50)

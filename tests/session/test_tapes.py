@@ -144,7 +144,7 @@ def test_a_tape_does_not_widen_the_allowed_folders() -> None:
         assert session.run().run_state == "ended"
 
 
-def test_a_tape_of_changed_programs_is_told() -> None:
+def test_a_tape_of_changed_programs_is_reported() -> None:
     """901073."""
     assert main(["run", "part.nc", "--record", "run.tape", "--quiet"]) == 0
     Path("part.nc").write_text(PROGRAM + "; changed\n", "utf-8")
@@ -203,8 +203,8 @@ def test_a_channel_that_runs_keeps_its_program() -> None:
     with Session("part.nc", stays=True) as session:
         session.run("200 ms")
         session.select("other.nc")
-        told = [found.id for found in session.run("3 s").diagnostics]
-        assert told == [901148]
+        reported = [found.id for found in session.run("3 s").diagnostics]
+        assert reported == [901148]
         assert session.read("X.ACS.ACT_POS", "Y.ACS.ACT_POS") == [100.0, 0.0]
 
 

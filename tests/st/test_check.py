@@ -155,7 +155,7 @@ TYPE ST_P : STRUCT b : BOOL; l : LREAL; END_STRUCT END_TYPE
         "FUNCTION_BLOCK FB METHOD M VAR b : BIT; END_VAR END_METHOD END_FUNCTION_BLOCK",
     ],
 )
-def test_bits_stand_in_structures_and_blocks(text: str) -> None:
+def test_bits_are_allowed_in_structures_and_blocks(text: str) -> None:
     """ST-312: its own bit has no place in memory."""
     assert [one.id for one in check(text)[1]] == [902910]
 
@@ -469,7 +469,7 @@ END_PROGRAM
     assert [(one.values["name"], one.values["other"]) for one in found] == [("bBit", "nWord")]
 
 
-def test_a_name_that_a_known_library_lacks_here_is_told_as_that() -> None:
+def test_a_name_that_a_known_library_lacks_here_is_reported_as_that() -> None:
     """ST-724: the library may well have it, so it is not said to be missing there."""
     assert body_errors("b : BOOL;", "b := Tc2_System.F_CheckArea(1);") == [
         "5: no F_CheckArea of the library Tc2_System is known here (C0004)",

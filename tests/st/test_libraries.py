@@ -251,7 +251,7 @@ m := Tc2_MC2.E_EncoderReferenceMode.ENCODERREFERENCEMODE_SOFTDRIVELATCHNEG;"""
     assert (plc.read("MAIN.n"), plc.read("MAIN.m")) == (1, 7)
 
 
-def test_what_the_nc_fills_on_the_machine_is_told(tmp_path: Path) -> None:
+def test_what_the_nc_fills_on_the_machine_is_reported(tmp_path: Path) -> None:
     """902968, ST-742: members of NcToPlc and Status that stay empty, and no others."""
     (tmp_path / "Cell.plcproj").write_text(PROJECT.replace("Vendor_Valves", "Tc2_MC2"), "utf-8")
     variables = (
@@ -269,8 +269,8 @@ b := s.Status.CmdBuffered;"""
     (tmp_path / "MAIN.TcPOU").write_text(pou_file("MAIN", variables, body), "utf-8")
     done = CliRunner().invoke(command, [str(tmp_path / "Cell.plcproj"), "--format", "json"])
     found = [one for one in json.loads(done.stdout)["diagnostics"] if one["id"] == 902968]
-    told = [" ".join(one["text"].split(" ")[:3]) for one in found]
-    assert told == [
+    reported = [" ".join(one["text"].split(" ")[:3]) for one in found]
+    assert reported == [
         "DcTimeStamp of NCTOPLC_AXIS_REF",
         "PositionLagMonitoring of ST_AxisOpModes",
         "HomingState of NCTOPLC_AXIS_REF",

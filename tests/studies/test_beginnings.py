@@ -186,7 +186,7 @@ def test_study_with_faults_of_its_plc_makes_the_rows_of_single_runs(tmp_path: Pa
 
 
 def test_wrong_value_harms_no_later_run() -> None:
-    """A run that is refused is told so, and the next one is as ever."""
+    """A refused run is reported, and the next one is as always."""
     program = NcText("part.nc", READS)
     with Controller().reusable() as controller:
         for _ in range(2):

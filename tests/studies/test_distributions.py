@@ -85,7 +85,7 @@ def test_wrong_distributions_are_refused(words: dict[str, Any], number: int) -> 
     assert number in [found.id for found in raised.value.diagnostics]
 
 
-def test_wrong_samples_are_told_by_line(tmp_path: Path) -> None:
+def test_wrong_samples_are_reported_by_line(tmp_path: Path) -> None:
     """Each cell that is no number (902532); a column that is not there (902533)."""
     file = tmp_path / "measured.csv"
     file.write_text("a,b\n1,x\n2,nan\n3,7\n")

@@ -59,7 +59,7 @@ def test_parameters_of_lists(tmp_path: Path) -> None:
     assert slow - fast == 90
 
 
-def test_unknown_parameters_are_told(tmp_path: Path) -> None:
+def test_unknown_parameters_are_reported(tmp_path: Path) -> None:
     """The axis and the ID are looked up before any run."""
     wrong = ({"of": "Q"}, {"parameter": "P-AXIS-99999", "of": "X"})
     for entry in wrong:
@@ -69,7 +69,7 @@ def test_unknown_parameters_are_told(tmp_path: Path) -> None:
         assert raised.value.diagnostics[0].id == 901312
 
 
-def test_values_that_a_list_does_not_take_are_told(tmp_path: Path) -> None:
+def test_values_that_a_list_does_not_take_are_reported(tmp_path: Path) -> None:
     """A study does not run with another value than that of its row."""
     vary = {"parameter": "P-AXIS-00008", "of": "X", "values": [1000, -5]}
     with pytest.raises(Failure) as raised:

@@ -54,7 +54,7 @@ def study(folder: Path, *, count: int = 120, plc: bool = False) -> Study:
 
 
 @pytest.mark.nightly
-def test_a_run_that_ends_its_process_is_told(tmp_path: Path) -> None:
+def test_a_run_that_ends_its_process_is_reported(tmp_path: Path) -> None:
     """The run gets a row that says so, all others theirs."""
     done = study(tmp_path, count=20, plc=True).run(processes=2)
     assert [row["run"] for row in done.rows if row["verdict"] == "crashed"] == [12]
@@ -97,7 +97,7 @@ def test_copies_and_new_processes_make_the_same_rows(
     assert plan.run(processes=2).rows == plan.run().rows
 
 
-def test_a_worker_that_cannot_start_is_told(
+def test_a_worker_that_cannot_start_is_reported(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Not once for each run, but as the end of the study (901486)."""
@@ -236,7 +236,9 @@ def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> No
 
 
 @pytest.mark.filterwarnings("ignore")
-def test_a_cluster_without_workers_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_cluster_without_workers_is_reported(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Nobody would make the runs: 901316 after a time, instead of waiting forever."""
     distributed = pytest.importorskip("distributed")
     from nctakt.studies.workers import cluster  # noqa: PLC0415 - an extra
@@ -278,13 +280,13 @@ def test_a_killed_scheduler_keeps_what_is_finished(
         patch.setattr(cluster, "CONNECT_S", 3)
         patch.setattr(study_progress.StudyProgress, "add", kill)
         assert main([*words, "--scheduler", address]) == 2
-    told = capsys.readouterr().err
-    assert "901316" in told
-    assert "901310" in told
-    assert "Traceback" not in told
+    reported = capsys.readouterr().err
+    assert "901316" in reported
+    assert "901310" in reported
+    assert "Traceback" not in reported
     kept = len(out.with_suffix(".csv.rows").read_bytes().splitlines()) - 1
     assert 0 < kept < 500
-    assert f"{kept} of 500" in told
+    assert f"{kept} of 500" in reported
     assert main([*words, "--resume", "-j", "2"]) == 0
     resumed = out.read_bytes()
     assert main([*words, "-j", "2"]) == 0

@@ -125,7 +125,7 @@ def own_rows(plan: dict[str, Any], signals: tuple[str, ...]) -> Iterator[dict[st
         }
 
 
-def test_a_study_makes_the_runs_of_an_own_loop() -> None:
+def test_a_study_makes_the_same_runs_as_a_loop() -> None:
     """Inputs, measures, state, ticks, verdict and the digest of the trace of each run."""
 
     @hypothesis.settings(

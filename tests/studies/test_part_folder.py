@@ -125,7 +125,7 @@ def test_any_storage_of_fsspec(plan: Path) -> None:
     assert store.folder.parts() == [Part(0, 2, 3)]
 
 
-def test_parts_that_this_process_does_not_see_are_told(plan: Path, capsys: Captured) -> None:
+def test_parts_that_this_process_does_not_see_are_reported(plan: Path, capsys: Captured) -> None:
     """Memory of the workers, or a folder on their machines: no result without these runs."""
     words = ["study", str(plan), "--out", "memory://memory-of-workers", "-j", "1", "--quiet"]
     assert main(words) == 2

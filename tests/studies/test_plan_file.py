@@ -29,7 +29,7 @@ def failure_of(path: Path) -> list[tuple[int, int]]:
     return [(one.id, 0 if one.span is None else one.span.line) for one in errors]
 
 
-def test_every_mistake_is_told_with_its_line(tmp_path: Path) -> None:
+def test_every_mistake_is_reported_with_its_line(tmp_path: Path) -> None:
     """Unknown words, wrong values, measures and expectations."""
     path = plan(
         tmp_path,
@@ -48,13 +48,13 @@ def test_every_mistake_is_told_with_its_line(tmp_path: Path) -> None:
     ]
 
 
-def test_what_is_not_toml_is_told_with_its_place(tmp_path: Path) -> None:
+def test_what_is_not_toml_is_reported_with_its_place(tmp_path: Path) -> None:
     """The reader of TOML names line and column."""
     assert failure_of(plan(tmp_path, "program = \n")) == [(901300, 1)]
 
 
 @pytest.mark.parametrize("values", ["values = []", "from = 5\nto = 1\nstep = 1"])
-def test_an_empty_grid_is_told(tmp_path: Path, values: str) -> None:
+def test_an_empty_grid_is_reported(tmp_path: Path, values: str) -> None:
     """A dimension without a value leaves no run."""
     text = f'program = "part.nc"\n[[vary]]\nvariable = "V.E.VALUE"\n{values}\n'
     assert [number for number, _ in failure_of(plan(tmp_path, text))] == [901304]
@@ -152,7 +152,7 @@ def test_parameters_of_whole_numbers_are_rounded(tmp_path: Path) -> None:
     assert all(isinstance(value, int) and 20 <= value <= 40 for value in values)
 
 
-def test_unknown_names_are_told_before_any_run(tmp_path: Path) -> None:
+def test_unknown_names_are_reported_before_any_run(tmp_path: Path) -> None:
     """A variable that the machine does not have, with the nearest one."""
     text = 'program = "part.nc"\n[[vary]]\nvariable = "V.E.VALU"\nvalues = [1]\n'
     with pytest.raises(Failure) as raised:

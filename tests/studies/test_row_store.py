@@ -112,10 +112,10 @@ def test_a_full_disk_keeps_what_is_finished(
     with monkeypatch.context() as patch:
         patch.setattr(row_store.os, "write", full)
         assert main(words) == 2
-    told = capsys.readouterr().err
-    assert "900507" in told
-    assert "901310" in told
-    assert "No space left" in told
+    reported = capsys.readouterr().err
+    assert "900507" in reported
+    assert "901310" in reported
+    assert "No space left" in reported
     assert not Path("rows.csv").exists()
     assert main([*words, "--resume"]) == 0
     assert Path("rows.csv").read_bytes() == whole
@@ -123,7 +123,7 @@ def test_a_full_disk_keeps_what_is_finished(
 
 
 @pytest.mark.parametrize("line", ["5", '{"a": 1}', "nonsense", '{"run": "x", "verdict": "passed"}'])
-def test_damaged_rows_are_told(study: Study, line: str) -> None:
+def test_damaged_rows_are_reported(study: Study, line: str) -> None:
     """A whole line that is no row (900503)."""
     RowStore(Path("x.rows"), study.plan, resumes=False).close()
     with Path("x.rows").open("a") as file:
@@ -162,7 +162,7 @@ def test_a_file_of_the_user_with_the_name_of_the_rows_stays(study: Study, resume
 
 
 @pytest.mark.skipif(os.name == "nt", reason="no locks")
-def test_two_studies_that_write_one_file_are_told(study: Study) -> None:
+def test_two_studies_that_write_one_file_are_reported(study: Study) -> None:
     """The second one ends before it takes anything away (900919)."""
     path = Path("out.csv.rows")
     store = RowStore(path, study.plan, resumes=False)

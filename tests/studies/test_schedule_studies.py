@@ -142,7 +142,7 @@ def test_each_phase_of_an_interrupt_from_outside(folder: Path) -> None:
         (TIME, {"plc": "load.toml"}, 901302),
     ],
 )
-def test_unknown_names_are_told(
+def test_unknown_names_are_reported(
     vary: dict[str, Any], entries: dict[str, Any], message: int
 ) -> None:
     """Before anything is simulated."""

@@ -112,7 +112,7 @@ def test_bisecting_finds_both_neighbours(program: Path) -> None:
     assert answer.runs <= 12
 
 
-def test_a_span_without_a_switch_over_is_told(program: Path) -> None:
+def test_a_span_without_a_switch_over_is_reported(program: Path) -> None:
     """Both ends hold: 901314 instead of an answer."""
     plan = study(program, **{"from": "0 ms", "to": "100 ms", "step": "1 tick"})
     finding = search(SearchRuns(plan.runner), Goal("boundary", "stop", 0)).finding
@@ -194,7 +194,7 @@ def test_a_search_finds_the_first_late_tick(program: Path) -> None:
     assert answer.runs <= 90
 
 
-def test_a_search_without_any_value_is_told(program: Path) -> None:
+def test_a_search_without_any_value_is_reported(program: Path) -> None:
     """901393 instead of an answer."""
     plan = Study(
         program=str(program),

@@ -71,7 +71,7 @@ def test_the_summary_fits_a_screen(plan: Path, capsys: Captured) -> None:
 
 
 def test_a_part_without_runs_says_so(plan: Path, capsys: Captured) -> None:
-    """There may be more parts than runs; no measures stand there without values."""
+    """There may be more parts than runs; measures without values are left out."""
     words = ["study", str(plan), "--part", "1/9", "--out", str(plan.with_name("parts")), "--quiet"]
     assert main(words) == 0
     assert capsys.readouterr().out == f"{plan}: 0 runs\n"
@@ -220,7 +220,7 @@ M30
     assert main(["study", str(plan), "--cover"]) == 1
 
 
-def test_an_error_that_nobody_expects_breaks(plan: Path, capsys: Captured) -> None:
+def test_an_unexpected_error_breaks(plan: Path, capsys: Captured) -> None:
     """As in the comments of a program; unless an expectation is about errors or the state."""
     plan.write_text(
         PLAN.replace("to = 6", "to = 100001\nstep = 100000").replace("\nstep = 1\n", "\n")

@@ -124,7 +124,7 @@ vary = [{time_of = "V.E.TRIGGER = 1", name = "at", from = "150 ms", to = "195 ms
     assert "error 901940: " in shown.err
 
 
-def test_a_dimension_without_effect_is_told(program: str, capsys: Captured) -> None:
+def test_a_dimension_without_effect_is_reported(program: str, capsys: Captured) -> None:
     """Alone and beside another one, on a grid and in a search; one that matters is not."""
     dead = {"acknowledge": "M9", "values": ["5 ms", "never"]}
     alive = {**TRIGGER, "step": "15 ms"}

@@ -52,7 +52,7 @@ def test_a_tried_injection_has_the_row_of_a_run_from_the_start(
     assert made.count(True) > len(numbers) // 3
 
 
-def test_one_snapshot_serves_the_injections_behind_it(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_one_snapshot_serves_the_injections_after_it(monkeypatch: pytest.MonkeyPatch) -> None:
     """The unchanged run waits for less than 32 ticks; a run's row does not depend on where."""
     taken: list[int] = []
     take = Snapshot._take

@@ -22,10 +22,10 @@ Way = tuple[Point, Point, Point | None, float]
 
 def decoded(text: str, patch: pytest.MonkeyPatch) -> tuple[list[Segment], list[int]]:
     """The segments of a run on the demo machine, and the numbers of its errors."""
-    return told(text, patch)[:2]
+    return reported(text, patch)[:2]
 
 
-def told(text: str, patch: pytest.MonkeyPatch) -> tuple[list[Segment], list[int], list[int]]:
+def reported(text: str, patch: pytest.MonkeyPatch) -> tuple[list[Segment], list[int], list[int]]:
     """The segments of a run on the demo machine, the numbers of its errors and warnings."""
     seen: list[Segment] = []
 

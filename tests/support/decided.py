@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of decisions share: a program as text, reports of a run, what it leaves behind."""
+"""What the tests of decisions share: a program as text, reports of a run, its final state."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def perform(program: str, controller: Controller | None = None, **settings: Any)
     return (controller or Controller()).run(NcText("part.nc", program), **settings)
 
 
-def told(run: Run, *kinds: str) -> list[str]:
+def reported(run: Run, *kinds: str) -> list[str]:
     """The events of these kinds, of all kinds without any: ``<tick> <kind> <text>``."""
     return [f"{event.tick} {event}" for event in run.events if not kinds or event.kind in kinds]
 

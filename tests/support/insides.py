@@ -64,11 +64,11 @@ class Audience:
     @property
     def count(self) -> int:
         """How many listen."""
-        return len(self._session._audience._listeners)
+        return len(self._session._subscribers._listeners)
 
-    def tell_of_travel(self) -> None:
+    def report_travel(self) -> None:
         """Report all of them that the session has travelled, in its thread."""
-        self._session._thread.ask(self._session._audience.tell, "travelled")
+        self._session._thread.ask(self._session._subscribers.notify, "travelled")
 
 
 def audience_of(session: Session) -> Audience:

@@ -67,7 +67,7 @@ class Rig:
         self.channel.queue.put([rows.FLUSH, 0, 0, 0])
 
     def cycle(self, scope: int, identity: int = 0) -> RealtimeCycle:
-        """Append the definition of an empty cycle; its ``runs`` tell when it ran."""
+        """Append the definition of an empty cycle; its ``runs`` say when it ran."""
         self._serials += 1
         made = RealtimeCycle(Statement(), self._serials, 3, 0)
         slot = self.channel.manager.load(made, identity, scope, 0)

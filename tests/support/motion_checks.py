@@ -130,7 +130,7 @@ def violations(program: MotionProgram, run: Run, machine: DrawnMachine) -> list[
     places, numbers = positions(run), blocks(run)
     is_over = run.state != "limit"
     if not is_over and (places[-2000:] == places[-1]).all():
-        return ["it stands and does not end"]
+        return ["it is at rest and does not end"]
     return [
         *broken_limits(places, machine, limits_jerk(program, numbers), stands=is_over),
         *off_the_way(program, places, numbers),

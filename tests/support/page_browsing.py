@@ -24,9 +24,9 @@ _numbers = itertools.count(1000)
 
 
 class SocketBrowser:
-    """A page that is looked at, at an address. ``state``: what its drawings were told last.
+    """A page that is looked at, at an address. ``state``: the last state sent to its drawings.
 
-    ``notes``: what it was told in words. ``is_gone``: the page has closed its connection.
+    ``notes``: notifications that it has shown. ``is_gone``: the page has closed its connection.
     It says what it has drawn, as a page does that is looked at.
     """
 

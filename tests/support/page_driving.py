@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt live`` in its own process, and Chromium in front of it."""
+"""``nctakt live`` in its own process, with Chromium as its browser."""
 
 import contextlib
 import os
@@ -41,9 +41,9 @@ def served(
     environment = {name: value for name, value in os.environ.items() if "PYTEST" not in name}
     call = [sys.executable, "-m", "nctakt", *command, *words, "--port", "0"]
     with (
-        (errors or Path(os.devnull)).open("w", encoding="utf-8") as told,
+        (errors or Path(os.devnull)).open("w", encoding="utf-8") as reported,
         subprocess.Popen(
-            call, stdout=subprocess.PIPE, stderr=told, encoding="utf-8", env=environment
+            call, stdout=subprocess.PIPE, stderr=reported, encoding="utf-8", env=environment
         ) as process,
     ):
         try:

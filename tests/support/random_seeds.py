@@ -44,5 +44,5 @@ def by_night(value: object) -> Any:
 
 
 def examples(count: int) -> int:
-    """Return how many examples a test of hypothesis makes that makes ``count`` unless told."""
+    """Return how many examples a test of hypothesis makes that makes ``count`` by default."""
     return int(MANY or count)

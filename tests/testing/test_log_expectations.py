@@ -47,7 +47,7 @@ def test_a_signal_stays_near_its_log(folder: Path, expectation: str) -> None:
     assert wrong(folder, expectation) == []
 
 
-def test_where_it_leaves_its_tolerance_is_told(folder: Path) -> None:
+def test_where_it_leaves_its_tolerance_is_reported(folder: Path) -> None:
     """With time and number of samples; 10 µm are 0.01 mm."""
     for limit in ("0.01", "0.01 mm", "10 µm"):
         (found,) = wrong(folder, f"X within {limit} of 2990.csv")
@@ -64,7 +64,7 @@ def test_where_it_leaves_its_tolerance_is_told(folder: Path) -> None:
         ("V.E.VALUE within 1 of 3000.csv", "902619"),
     ],
 )
-def test_what_cannot_be_compared_is_told(folder: Path, expectation: str, number: str) -> None:
+def test_what_cannot_be_compared_is_reported(folder: Path, expectation: str, number: str) -> None:
     """No such log, a unit of another quantity, a signal that the log lacks."""
     (found,) = wrong(folder, expectation)
     assert f"error {number}" in found

@@ -111,7 +111,7 @@ def test_a_test_names_the_expectation_of_a_line_without_branch() -> None:
     assert "^^^^^^^^^^^^^" in wrong
 
 
-def test_a_misspelt_keyword_is_told_once() -> None:
+def test_a_misspelt_keyword_is_reported_once() -> None:
     """900662 alone, before or after another part; the wrong value has its own columns."""
     text = "G00 X5 ; expect: X = 0 ende; expct: M100; M5\nM30 ; expct: M5; expect: ended"
     with pytest.raises(Failure) as failure:

@@ -281,14 +281,14 @@ def test_what_must_not_happen(sessions: Sessions) -> None:
     assert "+ M100 at 0.1 s, tick 100 (line 2)" in shown
 
 
-def test_all_that_is_wrong_is_told_at_once(sessions: Sessions) -> None:
+def test_all_that_is_wrong_is_reported_at_once(sessions: Sessions) -> None:
     """Three expectations that are not met, in their order."""
     shown = failure(sessions, '; expect: M102; M103; message "a; b"\n' + MOTION)
     found = re.findall(r"part\.nc:1: expect: (.*)", shown)
     assert found[:3] == ["M102", "M103", 'message "a; b"']
 
 
-def test_an_error_that_nobody_expects_fails(sessions: Sessions) -> None:
+def test_an_unexpected_error_fails(sessions: Sessions) -> None:
     """With its place and its remedy; the other expectations are looked at all the same."""
     shown = failure(sessions, "; expect: ended\nG01 X10 F0\nM30\n")
     assert "error 20176" in shown
@@ -303,7 +303,7 @@ def test_an_expected_error_in_another_line(sessions: Sessions) -> None:
     assert "+ line 2: 20176" in shown
 
 
-def test_comments_that_are_not_understood_are_all_told(sessions: Sessions) -> None:
+def test_comments_that_are_not_understood_are_all_reported(sessions: Sessions) -> None:
     """900660 and 900661 with place and remedy; times and values by their own numbers."""
     text = "; expect: M100 soon\n; given: tea\n; expect: fired at 1parsec\nM30\n"
     with pytest.raises(Failure) as caught:
@@ -450,7 +450,7 @@ def test_coverage_of_a_session(tmp_path: Path, workers: int) -> None:
     assert "$ENDIF" in (folder / "all.txt").read_text("utf-8")
 
 
-def test_coverage_that_cannot_be_written_is_told(sessions: Sessions) -> None:
+def test_coverage_that_cannot_be_written_is_reported(sessions: Sessions) -> None:
     """A suffix that says nothing before the tests, a folder that is not there after them."""
     project(sessions.folder, part_nc=COVERED)
     for file, number in (("all.xml", "900804"), ("none/all.json", "900507")):
@@ -459,7 +459,7 @@ def test_coverage_that_cannot_be_written_is_told(sessions: Sessions) -> None:
         assert number in shown
 
 
-def test_without_the_option_nothing_is_told(sessions: Sessions) -> None:
+def test_without_the_option_nothing_is_reported(sessions: Sessions) -> None:
     """And runs do not count."""
     project(sessions.folder, part_nc=COVERED)
     assert "branches of realtime cycles" not in sessions.run()[1]

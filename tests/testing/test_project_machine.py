@@ -58,9 +58,9 @@ def test_a_test_runs_on_the_machine_of_its_project(tmp_path: Path) -> None:
     (tmp_path / "test_c.py").write_text(
         'def test_c(study):\n    assert study(program="a.nc") and study("plan.toml")\n', "utf-8"
     )
-    told = run_pytest(tmp_path)
-    assert "3 passed" in told
-    assert told.count("nctakt: the machine is demo5, as nctakt.toml says") == 1
+    reported = run_pytest(tmp_path)
+    assert "3 passed" in reported
+    assert reported.count("nctakt: the machine is demo5, as nctakt.toml says") == 1
     assert "3 failed" in run_pytest(tmp_path, NCTAKT_MACHINE="demo")
     (tmp_path / "pytest.ini").write_text("[pytest]\nnctakt_machine = demo\n", "utf-8")
     assert "3 failed" in run_pytest(tmp_path)

@@ -81,7 +81,7 @@ def test_each_test_of_a_suite_is_one_test(folder: Path, capsys: pytest.CaptureFi
     )
 
 
-def test_a_report_is_told_by_its_name(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_report_is_reported_by_its_name(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """And not by that of the file that it is written to at first."""
     assert main(["test", "part.nc", "--junit", "report.xml", *WORDS]) == 0
     assert f"generated xml file: {folder / 'report.xml'} -" in capsys.readouterr().out

@@ -28,7 +28,7 @@ class Slow(Plc):
 
 
 def texts(program: str, **options: object) -> list[str]:
-    """The events that tell of acknowledgements."""
+    """The events about acknowledgements."""
     part = NcText("part.nc", program)
     run = Controller().run(part, blocks=True, **options)  # type: ignore[arg-type]
     return [
@@ -38,7 +38,7 @@ def texts(program: str, **options: object) -> list[str]:
     ]
 
 
-def test_an_acknowledgement_takes_effect_in_the_tick_behind_it() -> None:
+def test_an_acknowledgement_takes_effect_in_the_tick_after_it() -> None:
     """RC-403: the built-in PLC answers in the tick of the output, which counts from the next on."""
     assert texts(PART) == ["52 acknowledged M 100 1 51000", "143 acknowledged M 101 0 142000"]
 
@@ -65,7 +65,7 @@ def test_without_blocks_nothing_is_added() -> None:
     assert not any(event.kind in ("acknowledged", "dropped") for event in run.events)
 
 
-def test_the_signals_of_conditions_are_recorded_behind_the_others() -> None:
+def test_the_signals_of_conditions_are_recorded_after_the_others() -> None:
     """Each once, also elements with a constant index; ``V.RTA`` and ``V.RTG`` by their signals."""
     run = Controller().run(
         NcText("part.nc", PART), signals=["PATH.SPEED"], condition_signals=True, ticks=1
@@ -80,7 +80,7 @@ def test_the_signals_of_conditions_are_recorded_behind_the_others() -> None:
     ]
 
 
-def test_a_rapid_motion_is_told_apart_from_feed() -> None:
+def test_a_rapid_motion_is_reported_apart_from_feed() -> None:
     """PATH.RAPID: 1 in the ticks of G00, 0 in those of G01 and of dwells."""
     text = "G00 X20\nG04 0.01\nG01 X10 F6000\nM30\n"
     run = Controller().run(NcText("part.nc", text), signals=["PATH.RAPID", "PATH.SPEED"])

@@ -266,7 +266,7 @@ def test_events_may_come_long_before_their_rows(tmp_path: Path, suffix: str) -> 
     assert_same(read_trace(path))
 
 
-def test_a_path_that_is_full_is_told() -> None:
+def test_a_path_that_is_full_is_reported() -> None:
     """The first line that the system does not take is a diagnostic."""
     full = Path("/dev/full")
     if not full.exists():

@@ -25,7 +25,7 @@ def test_a_place_survives_the_way_through_a_float64_cell(
     assert unpack(int(float(pack(file_index, line, column)))) == (file_index, line, column)
 
 
-def test_what_lies_behind_the_last_line_or_column_shares_its_number() -> None:
+def test_places_beyond_the_last_line_or_column_share_its_number() -> None:
     """A longer text than the numbers reach is no error: its places are the last ones."""
     assert unpack(pack(0, LAST_LINE + 1, LAST_COLUMN + 1)) == (0, LAST_LINE, LAST_COLUMN)
 

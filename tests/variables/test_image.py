@@ -365,7 +365,7 @@ def test_shared_memory_goes_with_its_controller(name: str) -> None:
         SharedMemory(name)
 
 
-def test_a_view_that_lives_keeps_the_memory_and_is_told(name: str) -> None:
+def test_a_view_that_lives_keeps_the_memory_and_is_reported(name: str) -> None:
     """900348; the name is gone all the same, and closing again is all that is left to do."""
     image = Controller().interface_image(name)
     view = image.section(1)
@@ -376,7 +376,7 @@ def test_a_view_that_lives_keeps_the_memory_and_is_told(name: str) -> None:
     image.close()
 
 
-def test_a_name_in_use_is_told(name: str) -> None:
+def test_a_name_in_use_is_reported(name: str) -> None:
     """900349: two controllers cannot have one name."""
     with Controller().interface_image(name):
         with pytest.raises(Failure) as caught:
@@ -385,8 +385,8 @@ def test_a_name_in_use_is_told(name: str) -> None:
 
 
 @pytest.mark.parametrize("wrong", ["a/b/c", "x" * 300, "", "é" * 9, "a:b", "a\nb", "a\0b"])
-def test_a_name_that_cannot_be_is_told(wrong: str) -> None:
-    """900350 says what the system says; nothing is left behind."""
+def test_a_name_that_cannot_be_is_reported(wrong: str) -> None:
+    """900350 has the system's reason; nothing is left behind."""
     controller = Controller()
     with pytest.raises(Failure) as caught:
         controller.interface_image(wrong)
@@ -397,7 +397,7 @@ def test_a_name_that_cannot_be_is_told(wrong: str) -> None:
 
 KILLED = """
 import signal, sys
-signal.signal(signal.SIGINT, signal.default_int_handler)  # also where a shell runs the tests behind
+signal.signal(signal.SIGINT, signal.default_int_handler)  # also in the background
 from nctakt.run.controller import Controller
 controller = Controller()
 image = controller.interface_image(sys.argv[1])
@@ -429,7 +429,7 @@ def test_shared_memory_goes_when_the_process_is_killed(name: str, how: signal.Si
     assert not (SHARED_FOLDER / name).exists()
 
 
-def test_an_image_is_told_from_what_describes_it() -> None:
+def test_an_image_is_reported_from_what_describes_it() -> None:
     """What the controller gives is an ``SharedImage`` without a name, or with that one."""
     controller = Controller()
     with controller.interface_image() as image:

@@ -71,7 +71,7 @@ EXPECTED = {
 
 
 @pytest.mark.parametrize("alignment", [1, 2, 4, 8])
-def test_members_stand_where_a_c_compiler_puts_them(tmp_path: Path, alignment: int) -> None:
+def test_members_are_where_a_c_compiler_puts_them(tmp_path: Path, alignment: int) -> None:
     """Members are padded to their own size or to the alignment, structures to their strictest."""
     found = places(describe(machine_with(tmp_path, NESTED, alignment), 1))
     by_hand = EXPECTED[alignment]
@@ -205,27 +205,27 @@ def test_the_header_is_c_whatever_the_names_are(tmp_path: Path) -> None:
     assert "char while_[2][24];" in header
 
 
-@pytest.mark.parametrize(("switch", "told"), [(0, []), (1, [21848, 21848])])
-def test_overlapping_places_are_told_on_request(
-    tmp_path: Path, switch: int, told: list[int]
+@pytest.mark.parametrize(("switch", "reported"), [(0, []), (1, [21848, 21848])])
+def test_overlapping_places_are_reported_on_request(
+    tmp_path: Path, switch: int, reported: list[int]
 ) -> None:
     """P-EXTV-00011 leaves out what overlaps; without it the one written last is what is seen."""
     lists = AWKWARD.replace("byte_offset 16", "byte_offset 3")
     folder = folder_with(tmp_path, f"{lists}check_overlapping_variables {switch}")
     loaded = load_machine(folder)
-    assert [one.id for one in loaded.diagnostics] == told
-    if told:
+    assert [one.id for one in loaded.diagnostics] == reported
+    if reported:
         texts = [one.text("en") for one in loaded.diagnostics]
         assert "V.E.OVER at byte 2 overlaps V.E.char " in texts[0]
         assert "V.E.while at byte 3 overlaps V.E.char " in texts[1]
-    left = {"char"} if told else {"char", "OVER", "while"}
+    left = {"char"} if reported else {"char", "OVER", "while"}
     assert {name.split(".")[0] for name in places(describe(loaded, 1))} == left
 
 
 def test_a_place_has_a_limit(tmp_path: Path) -> None:
     """P-EXTV-00002 up to 16777215; beyond it (21988) there is no variable."""
-    for offset, told in ((16_777_215, []), (16_777_216, [21988])):
+    for offset, reported in ((16_777_215, []), (16_777_216, [21988])):
         lists = f"number_used_variables 1\nvar[0].name A\nvar[0].byte_offset {offset}"
         loaded = load_machine(folder_with(tmp_path / str(offset), lists))
-        assert [one.id for one in loaded.diagnostics] == told
-        assert places(describe(loaded, 1)) == ({} if told else {"A": offset})
+        assert [one.id for one in loaded.diagnostics] == reported
+        assert places(describe(loaded, 1)) == ({} if reported else {"A": offset})

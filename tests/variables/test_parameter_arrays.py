@@ -117,7 +117,7 @@ def test_mistakes_of_declarations(line: str, number: int) -> None:
 
 
 def test_long_programs_know_arrays() -> None:
-    """Plain blocks, decoded by templates: a single parameter that has become an array is told."""
+    """Plain blocks, decoded by templates: a parameter that has become an array is reported."""
     blocks = "\n".join(f"G01 X[P1 + {number}] F6000\nP1 = P1 + 0" for number in range(300))
     text = f"P1 = 0\n{blocks}\n#VAR\nP1[2]\n#ENDVAR\n{blocks}\nM30"
     found = Controller().run(NcText("p.nc", text))

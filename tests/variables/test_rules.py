@@ -399,7 +399,7 @@ class Peeping(AnyPlc):
     """A PLC that wants to see a channel variable."""
 
     def __init__(self) -> None:
-        self.told: list[int] = []
+        self.reported: list[int] = []
 
     def cycle(self, hli: object) -> None:
         """Read and write one."""
@@ -410,14 +410,14 @@ class Peeping(AnyPlc):
             try:
                 act()
             except Failure as failure:
-                self.told.append(failure.diagnostics[0].id)
+                self.reported.append(failure.diagnostics[0].id)
 
 
 def test_rc_309_the_plc_does_not_see_them() -> None:
     """V.CH is neither read nor written by a scripted PLC (900351)."""
     plc = Peeping()
     Controller().run(NcText("p.nc", "M30"), plc=plc, ticks=1)
-    assert plc.told == [900351, 900351]
+    assert plc.reported == [900351, 900351]
 
 
 # --- RC-310, RC-311 ---------------------------------------------------------------------------

@@ -233,7 +233,9 @@ def test_a_text_has_any_character_of_windows_1252(texts: Machine) -> None:
         ('#MSG ["%f", "a" + V.E.SYNC]', 900232),
     ],
 )
-def test_texts_out_of_place_are_told_before_the_run(texts: Machine, line: str, number: int) -> None:
+def test_texts_out_of_place_are_reported_before_the_run(
+    texts: Machine, line: str, number: int
+) -> None:
     """What a text cannot do has its number, its place, and a remedy."""
     run = texts.run(f"{line}\nM30")
     assert number in errors(run), errors(run)
@@ -342,16 +344,16 @@ def _line(chance: Random) -> str:
 
 
 def test_what_passes_the_checker_runs(tmp_path: Path) -> None:
-    """Random texts and numbers: a line is told before the run, or it runs to its end or limit."""
+    """Random texts and numbers: a line is reported before the run, or runs to its end or limit."""
     chance = Random(7)
     m = machine(tmp_path, TEXTS)
     passed = 0
     for _ in range(400):
         line = _line(chance)
-        told = len(m.controller.diagnostics)
+        reported = len(m.controller.diagnostics)
         first = m.controller.tick
         run = m.run(f"{line}\nM30")
-        new = {one.id for one in m.controller.diagnostics[told:]}
+        new = {one.id for one in m.controller.diagnostics[reported:]}
         if m.controller.tick > first:
             passed += 1
             assert new <= {21462, 20396, 50892}, line

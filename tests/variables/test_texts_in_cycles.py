@@ -162,7 +162,7 @@ def test_a_comparison_is_a_number(lists: Lists) -> None:
     assert written(run) == ["0 V.E.HIT 2", "2 V.E.FLAG 1", "2 V.E.HIT 0"]
 
 
-def test_what_the_plc_leaves_behind_the_zero_does_not_count(lists: Lists) -> None:
+def test_what_the_plc_leaves_after_the_zero_does_not_count(lists: Lists) -> None:
     """The bytes after the first zero are no part of the text."""
     with lists.controller.interface_image() as image:
         image.external[:10] = b"go\0rubbish"
@@ -174,7 +174,7 @@ def test_what_the_plc_leaves_behind_the_zero_does_not_count(lists: Lists) -> Non
 # --- assignment -------------------------------------------------------------------------------
 
 
-def test_texts_are_assigned_and_told(lists: Lists) -> None:
+def test_texts_are_assigned_and_reported(lists: Lists) -> None:
     """A constant and a string of the same length; only a new text is an event.
 
     Tick 0: A is "one" and B takes it over. Tick 3: the outside writes A, so the cycle writes again.
@@ -193,7 +193,7 @@ def test_texts_are_assigned_and_told(lists: Lists) -> None:
     assert lists.value("V.CH.Own") == "Größe"
 
 
-def test_a_long_text_is_told_in_parts(lists: Lists) -> None:
+def test_a_long_text_is_reported_in_parts(lists: Lists) -> None:
     """Twelve characters each, none of them lost; a shorter one leaves nothing of the longer."""
     body = '$IF ONCE V.E.I == 0\nV.E.LONG = "abcdefghijklmnopqrstuvwxyz"\n$ENDIF\n'
     run = cycle(lists, f'{body}$IF ONCE V.E.I == 1\nV.E.LONG = "z"\n$ENDIF\nV.E.I = 1')
@@ -268,7 +268,7 @@ def test_vs_reads_and_writes_an_asynchronous_text_in_the_tick(lists: Lists) -> N
         ("V.E.CELL[0] = V.E.A", 900215),
     ],
 )
-def test_mistakes_are_told_before_the_run(lists: Lists, body: str, number: int) -> None:
+def test_mistakes_are_reported_before_the_run(lists: Lists, body: str, number: int) -> None:
     """Lengths, types, rights: each with its number and place."""
     run = cycle(lists, body)
     assert number in errors(run), errors(run)
@@ -353,7 +353,7 @@ def test_asynchronous_members_are_those_of_the_definition(lists: Lists) -> None:
     ]
 
 
-def test_members_of_the_definition_are_told_as_frozen(lists: Lists) -> None:
+def test_members_of_the_definition_are_reported_as_frozen(lists: Lists) -> None:
     """RC-302: each member of a copy with its name and value; those of ``Vs.`` are none."""
     initial = {"V.E.THEN.NUMBER": 3, "V.E.THEN.NAMES[1]": "then"}
     run = cycle(lists, "V.E.CELL[0] = V.E.THEN", initial=initial)

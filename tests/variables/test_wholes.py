@@ -190,7 +190,9 @@ def test_synchronous_members_come_through_the_queue(tmp_path: Path) -> None:
         ("V.E.LATER = Vs.E.LATER", 900228, "V.E.LATER"),
     ],
 )
-def test_what_cannot_be_copied_is_told(trees: Machine, line: str, number: int, words: str) -> None:
+def test_what_cannot_be_copied_is_reported(
+    trees: Machine, line: str, number: int, words: str
+) -> None:
     """Before the run: another type, rights, elements that are not there, single values."""
     run = trees.run(f"{line}\nM30")
     assert number in errors(run), errors(run)
@@ -199,7 +201,7 @@ def test_what_cannot_be_copied_is_told(trees: Machine, line: str, number: int, w
     assert run.ticks == 0
 
 
-def test_members_without_the_right_are_told(tmp_path: Path) -> None:
+def test_members_without_the_right_are_reported(tmp_path: Path) -> None:
     """RC-303: WRITE_ONLY members cannot be read (20097), READ_ONLY ones not written (20100)."""
     shut = TREE.replace("struct[2].element[2].access_rights READ_ONLY", "")
     run = machine(tmp_path, shut).run("V.CH.Shut = V.E.SHUT\nM30")
@@ -207,7 +209,7 @@ def test_members_without_the_right_are_told(tmp_path: Path) -> None:
     assert "V.E.SHUT.SECRET" in run.diagnostics[0].text("en")
 
 
-def test_an_element_outside_at_run_time_is_told(trees: Machine) -> None:
+def test_an_element_outside_at_run_time_is_reported(trees: Machine) -> None:
     """RC-307: a computed index; nothing is copied."""
     run = trees.run("P1 = 3\nV.E.TREE = V.E.FOREST[P1]\nM30")
     assert errors(run) == [21928]

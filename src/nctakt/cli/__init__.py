@@ -100,7 +100,7 @@ class _LazyGroup(ShownGroup):
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         if cmd_name in EARLIER_NAMES:
-            _tell_new_name(ctx, cmd_name)
+            _report_new_name(ctx, cmd_name)
             cmd_name = EARLIER_NAMES[cmd_name]
         if cmd_name not in _COMMANDS:
             return None
@@ -109,7 +109,7 @@ class _LazyGroup(ShownGroup):
         return command
 
 
-def _tell_new_name(context: click.Context, name: str) -> None:
+def _report_new_name(context: click.Context, name: str) -> None:
     """Show the note that a subcommand has another name now (902381)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - only an earlier name needs it
     from nctakt.messages.commands.command_line import COMMAND_RENAMED  # noqa: PLC0415

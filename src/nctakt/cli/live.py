@@ -246,7 +246,7 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
                 shown=server.Shown(
                     bool(options.plcs), own.has_tour, own.opens_browser, own.is_embedded
                 ),
-                tell=click.echo,
+                announce=click.echo,
                 reports=server.Reports(
                     lambda found: print_diagnostics([found], options.language),
                     lambda _, reason: refused.update([reason]),

@@ -142,7 +142,7 @@ def run_with(options: Options, access: FileAccess) -> int:
             drawings.draw(run)
     if run is None:
         return EXIT_NC_ERROR
-    return max(_tell(options, run, controller.machine, wall_s), tape.tell(run))
+    return max(_report(options, run, controller.machine, wall_s), tape.report(run))
 
 
 class _Taping:
@@ -172,7 +172,7 @@ class _Taping:
             files = dict(inputs_of_run(self._options, access))
             self.writer.finish("broken" if run is None else run.state, controller.tick, files)
 
-    def tell(self, run: Run) -> int:
+    def report(self, run: Run) -> int:
         """Report whether a replay had the recorded events; return the exit code."""
         if self._options.tape is None:
             return EXIT_RAN
@@ -272,7 +272,7 @@ def _run_controller(
     )
 
 
-def _tell(options: Options, run: Run, machine: Machine, wall_s: float) -> int:
+def _report(options: Options, run: Run, machine: Machine, wall_s: float) -> int:
     """Show diagnostics and summary; return the exit code."""
     from nctakt.results.summary import print_summary  # noqa: PLC0415 - the mode is chosen before
 

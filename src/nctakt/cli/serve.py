@@ -44,7 +44,7 @@ from nctakt.messages.connections.opcua import OPCUA_LIBRARY_MISSING
 from nctakt.messages.connections.servers import (
     ADS_NEEDS_SOURCES,
     INVALID_NET_ID,
-    NO_DOOR,
+    NO_ENDPOINT,
     PAGE_WITHOUT_PROGRAM,
     WHO_COMMANDS,
 )
@@ -307,7 +307,7 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
     if own.live is not None:
         endpoints["live"] = _page(options, own, folders, own.live)
     if not endpoints:
-        raise Failure(diagnostic(NO_DOOR))
+        raise Failure(diagnostic(NO_ENDPOINT))
     if not options.quiet:
         notes = [] if options.machine_note is None else [options.machine_note]
         print_diagnostics([*notes, *_who_commands(own)], options.language)
@@ -556,7 +556,7 @@ def _ready_teller(
 ) -> Callable[[Mapping[str, str]], None]:
     """Return a function that reports the addresses of all endpoints, and that all are built."""
 
-    def tell(addresses: Mapping[str, str]) -> None:
+    def announce(addresses: Mapping[str, str]) -> None:
         built()
         if file is not None:
             document = {"process": os.getpid(), "addresses": dict(addresses)}
@@ -566,7 +566,7 @@ def _ready_teller(
         click.echo(f"ready {shown}")
         sys.stdout.flush()
 
-    return tell
+    return announce
 
 
 def _growing(

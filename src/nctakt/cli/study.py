@@ -239,7 +239,7 @@ def _study(file: str, words: dict[str, Any]) -> int:
     if part is not None:
         _make_folder(Path(words["out"]).parent)
     _check_files(study, file, words)
-    _tell_unchanged(study, words)
+    _report_unchanged(study, words)
     if words["cover"]:
         return _cover(study, words)
     if finds:
@@ -297,14 +297,14 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
         write_file(words["report"], page)
     for line in summary(study, result, file, commands, words["language"]):
         click.echo(line)
-    _tell_without_effect(result.without_effect, words)
-    _tell_no_effect_shown(study, result, words)
+    _report_without_effect(result.without_effect, words)
+    _report_no_effect_shown(study, result, words)
     if words["shrink"] and result.first_broken(1):
         for line in shrunk_lines(study, result, words["language"]):
             click.echo(line)
 
 
-def _tell_unchanged(study: Study, words: dict[str, Any]) -> None:
+def _report_unchanged(study: Study, words: dict[str, Any]) -> None:
     """Warn of an unchanged run that fails already (901942)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
     from nctakt.messages.commands.studies import UNCHANGED_RUN_BROKEN  # noqa: PLC0415
@@ -314,7 +314,7 @@ def _tell_unchanged(study: Study, words: dict[str, Any]) -> None:
         print_diagnostics([found], words["language"])
 
 
-def _tell_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:
+def _report_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:
     """Warn of dimensions that changed nothing (901941)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
     from nctakt.messages.commands.studies import DIMENSION_WITHOUT_EFFECT  # noqa: PLC0415
@@ -323,7 +323,7 @@ def _tell_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:
     print_diagnostics(found, words["language"])
 
 
-def _tell_no_effect_shown(study: Study, result: StudyResult, words: dict[str, Any]) -> None:
+def _report_no_effect_shown(study: Study, result: StudyResult, words: dict[str, Any]) -> None:
     """Warn of dimensions of points by chance that changed nothing where it was tried (902061)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
     from nctakt.messages.commands.studies import NO_EFFECT_SHOWN  # noqa: PLC0415
@@ -496,7 +496,7 @@ def _find(study: Study, file: str, words: dict[str, Any]) -> int:
             click.echo(line)
         if answer.finding is not None:
             print_diagnostics([answer.finding], words["language"])
-        _tell_without_effect(answer.without_effect, words)
+        _report_without_effect(answer.without_effect, words)
     return EXIT_NC_ERROR if any(answer.finding for answer in answers) else EXIT_RAN
 
 

@@ -175,11 +175,11 @@ def _has_override(request: Request) -> bool:
 
 def _account(options: Options, request: Request, controller: Controller) -> TimeAccount | None:
     """Return where the time went; ``None`` if the user's PLC failed, which has been reported."""
-    from nctakt.cli.common.comment_inputs import tell_unused_inputs  # noqa: PLC0415 - as below
+    from nctakt.cli.common.comment_inputs import report_unused_inputs  # noqa: PLC0415 - as below
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
     from nctakt.timing.account import account_for  # noqa: PLC0415
 
-    tell_unused_inputs(options, request)
+    report_unused_inputs(options, request)
     bar = ProgressBar()
 
     def show_progress(tick: int, limit: int | None) -> None:

@@ -96,13 +96,13 @@ class DelaySearch:
             later = self._moving(range(at + 1, len(self._blocks)), begin_us, _BESIDE)
             numbers = [at, *earlier[:_BESIDE], *later]
             # at the end of a block's first tick it has moved: it is at rest where the tick begins
-            stands = [float(self._blocks[one].time_us - self._cycle_time_us) for one in numbers]
-            length = length_at(self._signals, Place(stands, begin_us, alignment))
+            times_us = [float(self._blocks[one].time_us - self._cycle_time_us) for one in numbers]
+            length = length_at(self._signals, Place(times_us, begin_us, alignment))
             time_us = length.time_us if isinstance(length, Length) else length
-            is_before_all = time_us == min(stands) and len(earlier) > _BESIDE
+            is_before_all = time_us == min(times_us) and len(earlier) > _BESIDE
             if time_us is None or is_before_all:
                 return Delays(found, is_cut=bool(found))
-            event = self._blocks[numbers[stands.index(time_us)]]
+            event = self._blocks[numbers[times_us.index(time_us)]]
             if not isinstance(length, Length):
                 if fits(self._signals, alignment, begin_us, float(event.time_us), _SURE):
                     found.append(Delay(event.span, event.time_us, None))
@@ -117,12 +117,12 @@ class DelaySearch:
         """Return when the first block begins in which the log is late, after a time."""
         late = self._next(alignment, begin_us)
         end_us = self._end_us if late is None else float(late.time_us)
-        told_us = None if late is None else end_us
+        late_us = None if late is None else end_us
         if fits(self._signals, alignment, begin_us, end_us):
-            return told_us
+            return late_us
         blocks = range(self._number(begin_us) + 1, self._number(end_us))
         at = bisect.bisect_left(blocks, True, key=partial(self._is_apart_by, alignment, begin_us))
-        return float(self._blocks[blocks[at]].time_us) if at < len(blocks) else told_us
+        return float(self._blocks[blocks[at]].time_us) if at < len(blocks) else late_us
 
     def _is_apart_by(self, alignment: Alignment, begin_us: float, number: int) -> bool:
         """Return whether the log is apart somewhere until the end of a block."""

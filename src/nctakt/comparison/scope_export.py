@@ -52,7 +52,7 @@ class ScopeExport(Table):
         self.columns = self._columns(names)
         if not self.columns:
             raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
-        self._tell_scales()
+        self._report_scales()
 
     def _read_header(self) -> list[str]:
         """Find the header rows and the first one with samples; return its cells."""
@@ -83,7 +83,7 @@ class ScopeExport(Table):
                     found.append(LogColumn(names[at], unit, at, time))
         return found
 
-    def _tell_scales(self) -> None:
+    def _report_scales(self) -> None:
         """Report rows with another scale: whether the values include it is not known (LG-105)."""
         for column in self.columns:
             rows = {

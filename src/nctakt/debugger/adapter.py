@@ -146,7 +146,7 @@ class Adapter:
 
     def refuse(self, failure: Failure) -> None:
         """Report to the client that its data is not a message of the protocol."""
-        self.tell("output", {"category": "important", "output": f"{failure}\n"})
+        self.send_event("output", {"category": "important", "output": f"{failure}\n"})
 
     def end(self) -> None:
         """End: the client has gone; from the thread that reads."""
@@ -167,7 +167,7 @@ class Adapter:
                 self._cancelled.discard(number)
         return is_cancelled
 
-    def tell(self, event: str, body: dict[str, Any]) -> None:
+    def send_event(self, event: str, body: dict[str, Any]) -> None:
         """Send an event."""
         self._writer.write({"type": "event", "event": event, "body": self._outgoing(body)})
 
@@ -227,7 +227,7 @@ class Adapter:
         try:
             work()
         except Exception as error:  # noqa: BLE001 - the debugger goes on
-            self._tell_internal(error)
+            self._report_internal(error)
             if self._debuggee is not None:
                 self._debuggee.pause(1)
 
@@ -252,12 +252,12 @@ class Adapter:
             answer = _answer_to(message, is_success=False)
             answer["message"] = error_text(error)
             self._writer.write(answer)
-            self._tell_internal(error)
+            self._report_internal(error)
         else:
             self._guarded(lambda: self._after(command))
 
-    def _tell_internal(self, error: Exception) -> None:
-        self.tell("output", {"category": "stderr", "output": f"{error_text(error)}\n"})
+    def _report_internal(self, error: Exception) -> None:
+        self.send_event("output", {"category": "stderr", "output": f"{error_text(error)}\n"})
         if os.environ.get("NCTAKT_DEBUG"):
             traceback.print_exception(error, file=sys.stderr)
 
@@ -276,9 +276,9 @@ class Adapter:
         if debuggee is None or requests is None:
             return
         if command in ("launch", "attach"):
-            self.tell("initialized", {})
+            self.send_event("initialized", {})
         if command == "goto":
-            debuggee.tell_travel("goto", 1)
+            debuggee.report_travel("goto", 1)
         if command == "configurationDone" or (command == "restart" and self._is_configured):
             self._begin(debuggee)
         requests.follow()
@@ -393,7 +393,7 @@ class Adapter:
         self._debuggee = debuggee
         self._requests = Requests(debuggee)
         for shown in self._requests.verify_all():
-            self.tell("breakpoint", {"reason": "changed", "breakpoint": shown})
+            self.send_event("breakpoint", {"reason": "changed", "breakpoint": shown})
 
     def _debug(self, session: Session, *, stops_at_end: bool, owns: bool) -> Debuggee:
         return Debuggee(
@@ -401,7 +401,7 @@ class Adapter:
             self._breakpoints,
             self._exceptions,
             self._language,
-            self.tell,
+            self.send_event,
             self._abilities,
             owns=owns,
             stops_at_end=stops_at_end,
@@ -424,7 +424,7 @@ class Adapter:
         try:
             self._open(configuration)
         except Failure:
-            self.tell("terminated", {})
+            self.send_event("terminated", {})
             raise
         return {}
 
@@ -442,7 +442,7 @@ class Adapter:
         debuggee, configuration = self._debuggee, self._configuration
         if debuggee is None or configuration is None:
             raise Failure(diagnostic(GOTO_NEEDS_LAUNCH))
-        debuggee.check_standing("goto")
+        debuggee.check_paused("goto")
         session, done = search_block(debuggee, configuration, arguments.number("targetId"))
         self._leave()
         stops_at_end = configuration.stops_at_end

@@ -25,7 +25,7 @@ MAX_COMPLETIONS = 200
 
 _HELP: dict[Language, str] = {
     "en": """\
-tick                     where the session stands
+tick                     the tick of the session
 tick 1200, tick 1.2 s    go there
 back 10 ms, back 3       go back by a time, or by ticks; back: by one
 forward 10 ms            go on by a time or by ticks, past all breakpoints

@@ -23,7 +23,7 @@ from nctakt.debugger.disassembly import Disassembly
 from nctakt.debugger.exceptions import ExceptionFilters, Raised
 from nctakt.debugger.places import Places, StatementPlaces
 from nctakt.debugger.plc_frames import PLC_THREAD
-from nctakt.debugger.report import Report, Tell
+from nctakt.debugger.report import Report, SendEvent
 from nctakt.debugger.scopes import Scopes
 from nctakt.debugger.sources import Sources
 from nctakt.debugger.values import Values
@@ -69,7 +69,7 @@ class Abilities:
 class Debuggee:
     """One session under the debugger; ``owns``: it is closed with the debugger.
 
-    ``tell`` sends an event. ``stops_at_end``: the run stays at its end; else the debugger ends.
+    ``stops_at_end``: the run stays at its end; else the debugger ends.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class Debuggee:
         breakpoints: Breakpoints,
         exceptions: ExceptionFilters,
         language: Language,
-        tell: Tell,
+        send_event: SendEvent,
         abilities: Abilities,
         *,
         owns: bool,
@@ -88,7 +88,7 @@ class Debuggee:
         self.breakpoints = breakpoints
         self.exceptions = exceptions
         self.language: Language = language
-        self._tell = tell
+        self._send_event = send_event
         self._abilities = abilities
         self._owns = owns
         self._stops_at_end = stops_at_end
@@ -98,7 +98,7 @@ class Debuggee:
             session,
             self.sources,
             language,
-            tell,
+            send_event,
             listens=not owns,
             has_progress=abilities.has_progress,
         )
@@ -157,7 +157,7 @@ class Debuggee:
         has_plc = bool(self.session.description.plc_lines)
         return [stop for stop in self.exceptions.stops() if has_plc or stop.kind != "fault"]
 
-    def check_standing(self, command: str) -> None:
+    def check_paused(self, command: str) -> None:
         """Raise ``Failure`` (901226) while it is running."""
         if self._running is not None:
             raise Failure(diagnostic(RUN_IS_ON, command=command))
@@ -386,10 +386,10 @@ class Debuggee:
             body |= {"description": text, "text": text}
         if numbers:
             body["hitBreakpointIds"] = list(numbers)
-        self.tell_changed_files()
-        self._tell("stopped", body)
+        self.report_changed_files()
+        self._send_event("stopped", body)
 
-    def tell_changed_files(self) -> None:
+    def report_changed_files(self) -> None:
         """Report files that have changed since the run began."""
         changed = self.sources.newly_changed()
         self.report.diagnostics(
@@ -416,8 +416,8 @@ class Debuggee:
         if not self.is_over:
             self.is_over = True
             state = self.session.latest.run_state
-            self._tell("exited", {"exitCode": 0 if state in ("ended", "limit", None) else 1})
-            self._tell("terminated", {})
+            self._send_event("exited", {"exitCode": 0 if state in ("ended", "limit", None) else 1})
+            self._send_event("terminated", {})
 
     # --- somebody else's session ----------------------------------------------------------------
 
@@ -427,7 +427,7 @@ class Debuggee:
         before, self._seen = self._seen, (session.tick, session.branch, session.is_playing)
         if session.is_playing and not before[2]:
             self.scopes.forget()
-            self._tell("continued", {"threadId": 1, "allThreadsContinued": True})
+            self._send_event("continued", {"threadId": 1, "allThreadsContinued": True})
         self.report.heard()
         if before != self._seen and not session.is_playing:
             self._branch = session.branch
@@ -447,7 +447,7 @@ class Debuggee:
         if self.scopes.is_plc(thread):
             if self.session.back_to(self.session.sought("into" if is_tick else "over")) is None:
                 self.session.go_to(0)
-            self.tell_travel("step", thread)
+            self.report_travel("step", thread)
             return
         if is_tick or self.scopes.is_cycle(thread):
             self.session.back(1)
@@ -456,7 +456,7 @@ class Debuggee:
             stop = StopAt("block", channel=thread, is_of_channel=True, max_depth=depth)
             if self.session.back_to(stop) is None:
                 self.session.go_to(0)
-        self.tell_travel("step", thread)
+        self.report_travel("step", thread)
 
     def restart_frame(self, channel: int, level: int) -> None:
         """Go back to where the block of a program began: the last one of no called program.
@@ -469,7 +469,7 @@ class Debuggee:
         stop = StopAt("block", channel=channel, is_of_channel=True, max_depth=level + 1)
         if not self._held([stop])[0] and self.session.back_to(stop) is None:
             self.session.go_to(0)
-        self.tell_travel("restart", channel)
+        self.report_travel("restart", channel)
 
     def reverse(self, thread: int) -> None:
         """Go back to the last breakpoint or exception, to the start without one."""
@@ -483,7 +483,7 @@ class Debuggee:
                 work()
         except Failure as failure:
             self.report.diagnostics(failure.diagnostics)
-            self.tell_travel("pause", thread)
+            self.report_travel("pause", thread)
         finally:
             self.session.on_travel = None
             self.report.end_progress()
@@ -510,10 +510,10 @@ class Debuggee:
                     self._raise(raised, thread)
                 else:
                     self._stop_at(due, self.session.tick - 1, thread)
-                self._tell_invalidated()
+                self._report_invalidated()
                 return
         self.session.go_to(0)
-        self.tell_travel("entry", thread)
+        self.report_travel("entry", thread)
 
     def _is_due(self, breakpoint_: Breakpoint) -> bool:
         return breakpoint_.is_due(self._moment(self.session.tick - 1, breakpoint_))
@@ -544,16 +544,16 @@ class Debuggee:
         held = dict.fromkeys(hit - others for hit in done.hits if hit >= others)
         return list(held), done.events
 
-    def tell_travel(self, reason: str, thread: int) -> None:
+    def report_travel(self, reason: str, thread: int) -> None:
         """Report that it has moved."""
         self._note_branch()
         self._stopped(reason, thread, self.console.position())
-        self._tell_invalidated()
+        self._report_invalidated()
 
-    def _tell_invalidated(self) -> None:
+    def _report_invalidated(self) -> None:
         """Make the client request everything again: it has moved."""
         if self._abilities.has_invalidated:
-            self._tell("invalidated", {"areas": ["all"]})
+            self._send_event("invalidated", {"areas": ["all"]})
 
     def note_input(self) -> None:
         """Note that a value was set: in the past another branch of the tape begins there."""

@@ -32,7 +32,7 @@ def start_block(debuggee: Debuggee, arguments: Arguments) -> dict[str, Any] | No
     line = arguments.number("line")
     if file is None or file != first:
         return None
-    location = debuggee.places(file).at_or_behind(line)
+    location = debuggee.places(file).at_or_after(line)
     if location is None or location.kind != "block" or location.line != line:
         return None
     return {"id": line, "label": debuggee.sources.line(file, line), "line": line}

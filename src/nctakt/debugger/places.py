@@ -51,7 +51,7 @@ class StatementPlaces:
     def __init__(self, lines: Sequence[int]) -> None:
         self._lines = lines
 
-    def at_or_behind(self, line: int) -> Place | None:
+    def at_or_after(self, line: int) -> Place | None:
         """Return the place in a line, else the first one after it; ``None`` without any."""
         found = next((one for one in self._lines if one >= line), None)
         return None if found is None else Place(found, "statement", found)
@@ -70,7 +70,7 @@ class Places:
         self._source = Source(file, lines if isinstance(lines, list) else list(lines))
         self._cycles = [cycle for cycle in cycles if cycle.span.file == file]
 
-    def at_or_behind(self, line: int) -> Place | None:
+    def at_or_after(self, line: int) -> Place | None:
         """Return the place in a line, else the first one after it; ``None`` without any."""
         while 1 <= line <= len(self._source.lines):
             around = self._cycle_around(line)
@@ -89,7 +89,7 @@ class Places:
         line = max(1, first)
         last = min(last, line + MAX_LINES)
         while line <= last:
-            location = self.at_or_behind(line)
+            location = self.at_or_after(line)
             if location is None or location.line > last:
                 break
             found.append(location)

@@ -29,7 +29,7 @@ MAX_DIAGNOSTICS = 1000
 #: How often a debugger gets reports of somebody else's playing session.
 HEARD_HZ = 20.0
 
-Tell = Callable[[str, dict[str, Any]], None]
+SendEvent = Callable[[str, dict[str, Any]], None]
 
 
 class Report:
@@ -40,7 +40,7 @@ class Report:
         session: Session,
         sources: Sources,
         language: Language,
-        tell: Tell,
+        send_event: SendEvent,
         *,
         listens: bool,
         has_progress: bool,
@@ -48,7 +48,7 @@ class Report:
         self._session = session
         self._sources = sources
         self._language: Language = language
-        self._tell = tell
+        self._send_event = send_event
         self._has_progress = has_progress
         self._kept: deque[Diagnostic] = deque(maxlen=MAX_DIAGNOSTICS)
         self._progress = 0
@@ -81,7 +81,7 @@ class Report:
 
     def output(self, category: str, text: str, **where: Any) -> None:
         """Report a text."""
-        self._tell("output", {"category": category, "output": text, **where})
+        self._send_event("output", {"category": category, "output": text, **where})
 
     def news(self, done: StepResult) -> None:
         """Report messages of programs and diagnostics of a part of the run."""
@@ -123,14 +123,14 @@ class Report:
     def progress(self, begin_s: float) -> None:
         """Report the progress of a long run that started at a time of ``time.monotonic``."""
         tick = self._session.tick
-        self._tell_progress(begin_s, f"{self.tick_word} {tick} = {self.time(tick)}")
+        self._report_progress(begin_s, f"{self.tick_word} {tick} = {self.time(tick)}")
 
     def travel(self, begin_s: float, done: int, whole: int) -> None:
         """Report the progress of a long travel back, in rerun ticks."""
         word = "Takte" if self._language == "de" else "ticks"
-        self._tell_progress(begin_s, f"{done:,} / {whole:,} {word}")
+        self._report_progress(begin_s, f"{done:,} / {whole:,} {word}")
 
-    def _tell_progress(self, begin_s: float, text: str) -> None:
+    def _report_progress(self, begin_s: float, text: str) -> None:
         now_s = time.monotonic()
         if not self._has_progress or now_s - begin_s < PROGRESS_S:
             return
@@ -138,16 +138,16 @@ class Report:
             return
         body = {"progressId": f"run-{self._progress}", "message": text}
         if self._progress_s:
-            self._tell("progressUpdate", body)
+            self._send_event("progressUpdate", body)
         else:
             title = "Lauf" if self._language == "de" else "Running"
             self._progress += 1
             body["progressId"] = f"run-{self._progress}"
-            self._tell("progressStart", {**body, "title": title, "cancellable": True})
+            self._send_event("progressStart", {**body, "title": title, "cancellable": True})
         self._progress_s = now_s
 
     def end_progress(self) -> None:
         """Report that the run whose progress was reported is over."""
         if self._progress_s:
             self._progress_s = 0.0
-            self._tell("progressEnd", {"progressId": f"run-{self._progress}"})
+            self._send_event("progressEnd", {"progressId": f"run-{self._progress}"})

@@ -90,7 +90,7 @@ class Requests:
             entries = [Arguments({"line": line}) for line in arguments.items("lines")]
         shown_name = asked.text("path", "") or asked.text("name", "")
         new = [self._at_line(one, asked) for one in entries]
-        self._debuggee.tell_changed_files()
+        self._debuggee.report_changed_files()
         return self._put(f"source {file or shown_name}", new)
 
     def _at_line(self, arguments: Arguments, source: Arguments) -> Breakpoint:
@@ -108,7 +108,7 @@ class Requests:
             new = debuggee.breakpoints.make("source", arguments, line=line)
             new.mistake = Failure(diagnostic(NOT_IN_THE_RUN, file=shown_name))
             return new
-        location = debuggee.places(file).at_or_behind(line)
+        location = debuggee.places(file).at_or_after(line)
         if location is None:
             new = debuggee.breakpoints.make("source", arguments, file=file, line=line)
             new.mistake = Failure(diagnostic(NO_LINE_TO_STOP_AT, line=line))
@@ -203,7 +203,7 @@ class Requests:
         return arguments.number("threadId", 1)
 
     def _continue(self, arguments: Arguments) -> Body:
-        self._debuggee.check_standing("continue")
+        self._debuggee.check_paused("continue")
         thread = self._known_thread(arguments)
         self._then = lambda: self._debuggee.run(thread)
         return {"allThreadsContinued": True}
@@ -224,28 +224,28 @@ class Requests:
 
     def _step(self, command: str, arguments: Arguments, up: int | None) -> Body:
         debuggee = self._debuggee
-        debuggee.check_standing(command)
+        debuggee.check_paused(command)
         thread, is_tick = self._known_thread(arguments), self._is_tick(arguments)
         self._then = lambda: debuggee.step(thread, is_tick=is_tick, up=up)
         return {}
 
     def _step_back(self, arguments: Arguments) -> Body:
         debuggee = self._debuggee
-        debuggee.check_standing("stepBack")
+        debuggee.check_paused("stepBack")
         thread, is_tick = self._known_thread(arguments), self._is_tick(arguments)
         self._then = lambda: debuggee.step_back(thread, is_tick=is_tick)
         return {}
 
     def _reverse_continue(self, arguments: Arguments) -> Body:
         debuggee = self._debuggee
-        debuggee.check_standing("reverseContinue")
+        debuggee.check_paused("reverseContinue")
         thread = self._known_thread(arguments)
         self._then = lambda: debuggee.reverse(thread)
         return {}
 
     def _restart_frame(self, arguments: Arguments) -> Body:
         debuggee = self._debuggee
-        debuggee.check_standing("restartFrame")
+        debuggee.check_paused("restartFrame")
         channel, level = debuggee.scopes.program_of_frame(arguments.number("frameId"))
         self._then = lambda: debuggee.restart_frame(channel, level)
         return {}
@@ -281,7 +281,7 @@ class Requests:
 
     def _write_plc(self, found: PlcValue, text: str) -> Body:
         debuggee = self._debuggee
-        debuggee.check_standing("setVariable")
+        debuggee.check_paused("setVariable")
         value = debuggee.scopes.plc.write(found, text)
         self._then = debuggee.note_input
         return {"value": value}
@@ -302,7 +302,7 @@ class Requests:
 
     def _write(self, name: str, text: str, channel: int) -> Body:
         debuggee = self._debuggee
-        debuggee.check_standing("setVariable")
+        debuggee.check_paused("setVariable")
         value = debuggee.values.write(name, text, channel)
         self._then = debuggee.note_input
         return {"value": shown_value(value)}
@@ -323,21 +323,21 @@ class Requests:
         if arguments.text("context", "") != "repl":
             return {"result": debuggee.values.evaluate(text, channel), "variablesReference": 0}
         if debuggee.is_running and debuggee.console.travels(text):
-            debuggee.check_standing(text.split()[0])
+            debuggee.check_paused(text.split()[0])
         tick = debuggee.session.tick
         try:
             with debuggee.session.together():
                 answer = debuggee.console.run(text, channel)
         except Failure:
             if debuggee.session.tick != tick:  # interrupted on the way
-                self._then = lambda: debuggee.tell_travel("pause", channel)
+                self._then = lambda: debuggee.report_travel("pause", channel)
             raise
         if answer.until:
             stop = read_stop(answer.until)
             debuggee.check_stops([stop])
             self._then = lambda: debuggee.run_until(stop, channel)
         elif answer.has_moved:
-            self._then = lambda: debuggee.tell_travel("goto", channel)
+            self._then = lambda: debuggee.report_travel("goto", channel)
         else:
             self._then = debuggee.note_input
         return {"result": answer.text, "variablesReference": 0}

@@ -193,7 +193,7 @@ class Compensation:
         before, self._distance = self._distance, distance
         self._keep(segment, before)
         if tool.crossed:
-            self._tell_crossing()
+            self._report_crossing()
         if not self._is_closed_one:
             yield from self._release(contour_rows.REACH if self._waits_for_loops else 0)
         elif len(self._motions) > MAX_CLOSED:
@@ -327,7 +327,7 @@ class Compensation:
         ):
             failed = self._motions.pop()
         if tool.crossed and failed is None:
-            self._tell_crossing()
+            self._report_crossing()
         yield from self._release(0)
         if failed is not None:
             self._fail(failed)
@@ -359,7 +359,7 @@ class Compensation:
         """Report that the tool cannot follow the contour (90019, 90038, 90017)."""
         self._values.fail(motion.misfit, motion.span, radius=abs(motion.radius))
 
-    def _tell_crossing(self) -> None:
+    def _report_crossing(self) -> None:
         """Report contour damage: a warning, or an error as P-CHAN-00219 demands."""
         tool, spans = self.tool, dict(self._spans)
         closes = tool.closes_contour()
@@ -480,7 +480,7 @@ class Compensation:
             try:
                 commands = self._commands(motion)
                 if self.tool.crossed:
-                    self._tell_crossing()
+                    self._report_crossing()
             except DecodeError:
                 self._motions.clear()  # commands after a mistake are not run
                 self.tool.give_up()

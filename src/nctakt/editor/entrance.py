@@ -41,12 +41,12 @@ def serve_port(
     server: Server,
     host: str,
     port: int,
-    tell: Callable[[str], None],
+    announce: Callable[[str], None],
     warn: Callable[[Diagnostic], None],
 ) -> None:
-    """Serve the first editor that comes with the token, until it goes.
+    """Serve the first editor that comes with the token, until it disconnects.
 
-    ``tell`` receives address and token. Raises ``Failure`` (901920) if the system refuses the port.
+    ``announce`` receives address and token. Raises ``Failure`` (901920) if the port is refused.
     """
     endpoint = Endpoint(KIND, host, port, max_guests=1)
     entered: queue.SimpleQueue[tuple[Visitor, Message]] = queue.SimpleQueue()
@@ -60,7 +60,7 @@ def serve_port(
 
     try:
         for line in endpoint.lines():
-            tell(line)
+            announce(line)
         if endpoint.warning is not None:
             warn(endpoint.warning)
         threading.Thread(

@@ -39,7 +39,7 @@ _ESCAPES = "nctakt.vcd"
 
 
 def _escaped(error: UnicodeError) -> tuple[str, int]:
-    """Return what stands in a file for other characters than those of ASCII: their bytes."""
+    """Return what a file has for characters outside ASCII: their bytes."""
     assert isinstance(error, UnicodeEncodeError)
     data = error.object[error.start : error.end].encode("utf-8", "replace")
     return "".join(f"\\x{byte:02x}" for byte in data), error.end

@@ -52,7 +52,7 @@ class FmuInstance:
         )
         self._function = ""
         self._limit_us = round(limit_s * 1e6)
-        self._watch = CallWatch(limit_s, self._tell_late) if limit_s else None
+        self._watch = CallWatch(limit_s, self._report_late) if limit_s else None
         self._model: Any = None
         self._model = self._call(
             "load",
@@ -241,7 +241,7 @@ class FmuInstance:
             if watch is not None:
                 watch.end()
 
-    def _tell_late(self) -> None:
+    def _report_late(self) -> None:
         late = diagnostic(
             FMU_LATE,
             file=self._name,

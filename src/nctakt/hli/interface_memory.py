@@ -388,7 +388,7 @@ class Area:
         """
         self._has_script = True
 
-    def tell(self, facts: Mapping[str, Scalar], inside: str = "") -> None:
+    def publish(self, facts: Mapping[str, Scalar], inside: str = "") -> None:
         """Keep facts about the machine by the names of their ties, in the slots below a path."""
         for slot, name in _with_facts(self.shape.root):
             is_own = slot.path.startswith(inside) if inside else "coord_r" not in slot.path
@@ -440,7 +440,7 @@ class Area:
         """Return whether an axis has one of its releases."""
         enable, command = (self._slot(f"{unit}.{one}") for one in ("enable_w", "command_w"))
         if not self._get(self._present) and (not self._has_script or not self._get(enable)):
-            return True  # nobody releases it, or a script that does not care
+            return True  # there is no PLC, or a script that leaves it out
         return bool(self._get(enable) and self._get(command))
 
     def _mode_state(self, values: Mapping[str, Scalar]) -> float:
@@ -750,15 +750,15 @@ def areas(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[Area]]:
     found = {
         root: [Area(shape) for shape in all_] for root, all_ in shapes(machine, prefixes).items()
     }
-    found["gpPform"][0].tell({"version": __version__})
+    found["gpPform"][0].publish({"version": __version__})
     for area, channel in zip(found["gpCh"], machine.channels, strict=True):
         size = area.shape.size_bytes
-        area.tell({"version": __version__, "size": size, "channel": area.shape.channel})
+        area.publish({"version": __version__, "size": size, "channel": area.shape.channel})
         for at, axis in enumerate(channel.axes):
             facts: dict[str, Scalar] = {"name": axis.name, "logical": axis.logical_number}
             facts["type"] = AXIS_TYPES[machine.axes[axis.index].type]
-            area.tell(facts, f"bahn_state.coord_r[{at}].")
+            area.publish(facts, f"bahn_state.coord_r[{at}].")
     for area, listed in zip(found["gpAx"], machine.axes, strict=True):
         facts = {"logical": listed.logical_number, "type": AXIS_TYPES[listed.type]}
-        area.tell({**facts, "drive": _SIMULATED, "spindle": bool(area.shape.spindle)})
+        area.publish({**facts, "drive": _SIMULATED, "spindle": bool(area.shape.spindle)})
     return found

@@ -115,7 +115,7 @@ NEGATIVE, PRESENT, POSITIVE, SHORTEST = range(-1, 3)
 ) = range(1, 7)
 
 #: The state of an axis for a position request (RC-409); in the last two its motion never ends.
-STANDS, MOVES_STILL, MOVES_ENDLESSLY, IS_HELD = range(4)
+AXIS_STOPPED, AXIS_MOVES, AXIS_MOVES_ENDLESSLY, AXIS_HELD = range(4)
 
 #: The code of T0; those of M functions are below it, those of H functions below 0.
 FIRST_T = 1_000_000_000
@@ -148,7 +148,7 @@ SPINDLE_POSITION = 19
 
 #: States of a spindle.
 (
-    STANDING,
+    SPINDLE_STOPPED,
     TURNING,
     POSITIONING,
     COUPLED,  # tapping: its angle is that of the path
@@ -267,8 +267,8 @@ FAR_CHECK = 7
     MIDDLE,
     EXIT_ZONE,
     CURVE,
-    BEHIND_STAGES,
+    AFTER_STAGES,
 ) = range(-1, 5)
 
 #: Instead of the number of the segment that comes next (``tick/command_queue.py``).
-END_OF_QUEUE, STANDS_BETWEEN = -1, -2
+END_OF_QUEUE, STOPS_BETWEEN = -1, -2

@@ -55,7 +55,7 @@ class PageEndpoint:
             for number, own in programs.items()
             if own
         }
-        self._address_told: Future[str] = Future()
+        self._announced_address: Future[str] = Future()
         self._shared: SharedSession | None = None
         self._thread: threading.Thread | None = None
 
@@ -81,7 +81,7 @@ class PageEndpoint:
             target=self._serve, args=(self._shared, address), name="nctakt page", daemon=True
         )
         self._thread.start()
-        return await asyncio.wrap_future(self._address_told)
+        return await asyncio.wrap_future(self._announced_address)
 
     def _open_once(self) -> Callable[[str | None, bool], Session]:
         """Return a function that gives the session once; then it raises ``Failure`` (901380)."""
@@ -102,12 +102,12 @@ class PageEndpoint:
                 Texts(self._language),
                 address,
                 shown=Shown(self._has_plc),
-                tell=self._address_told.set_result,
+                announce=self._announced_address.set_result,
                 reports=self._reports,
             )
         except BaseException as error:  # noqa: BLE001 - whoever opens the endpoint gets it
-            if not self._address_told.done():
-                self._address_told.set_exception(error)
+            if not self._announced_address.done():
+                self._announced_address.set_exception(error)
 
     async def close(self) -> None:
         """Let the page end; the session stays."""

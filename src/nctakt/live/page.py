@@ -90,7 +90,7 @@ class Page:
         self._subject = self._subject_now()
         self._readings: dict[str, str] = {}
         self._bar: tuple[object, ...] = ()
-        self._pen_shown: bool | None = None
+        self._control_shown: bool | None = None
         self._stopped_at = shared.stopped_at
         self._looks = 0
         ui.add_css(_CSS)
@@ -185,8 +185,8 @@ class Page:
         explained(self._speed, texts["speed"])
         ui.label().classes("nc-number nc-soft nc-clock").props("data-testid=clock")
         ui.element("div").classes("col")
-        self._pen = ui.button(icon="edit", on_click=self._take_pen)
-        self._pen.props("dense flat no-caps size=sm data-testid=pen").classes("nc-pen")
+        self._control = ui.button(icon="edit", on_click=self._take_control)
+        self._control.props("dense flat no-caps size=sm data-testid=control").classes("nc-control")
         dark = ui.button(icon="dark_mode", on_click=self._switch_dark)
         explained(dark.props("dense flat data-testid=dark"), texts["dark"])
         keys = ui.button(icon="keyboard", on_click=self._help.open)
@@ -271,12 +271,12 @@ class Page:
             self._toggle.props(f"icon={'pause' if snapshot.is_playing else 'play_arrow'}")
 
     def _show_pen(self) -> None:
-        has_pen = self._commander.has_pen
-        if has_pen != self._pen_shown:
-            self._pen_shown = has_pen
-            self._pen.set_text("" if has_pen else self._texts["take_pen"])
-            self._pen.props(f"color={'positive' if has_pen else 'warning'}")
-            named(self._pen, self._texts["pen" if has_pen else "take_pen"])
+        has_control = self._commander.has_control
+        if has_control != self._control_shown:
+            self._control_shown = has_control
+            self._control.set_text("" if has_control else self._texts["take_control"])
+            self._control.props(f"color={'positive' if has_control else 'warning'}")
+            named(self._control, self._texts["in_control" if has_control else "take_control"])
 
     def _show_findings(self) -> None:
         self._lists.show_findings(self._program)
@@ -325,7 +325,7 @@ class Page:
         await self._commander.do(lambda session: session.play(speed))
 
     async def _choose_speed(self, _: Any = None) -> None:
-        if self._shared.snapshot.is_playing and self._commander.has_pen:
+        if self._shared.snapshot.is_playing and self._commander.has_control:
             await self._play()
 
     def _change_speed(self, steps: int) -> None:
@@ -333,8 +333,8 @@ class Page:
         index = names.index(self._speed.value) + steps
         self._speed.set_value(names[max(0, min(index, len(names) - 1))])
 
-    def _take_pen(self) -> None:
-        self._commander.take_pen()
+    def _take_control(self) -> None:
+        self._commander.take_control()
         self._show_pen()
 
     def _switch_dark(self) -> None:
@@ -404,7 +404,7 @@ class Page:
             "scope_mark": drawings.mark,
             "turn_view": drawings.turn_view,
             "machine_axes": drawings.flip_axes,
-            "take_pen": self._take_pen,
+            "take_control": self._take_control,
             "dark": self._switch_dark,
             "help": self._help.open,
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keys of the page, clicks in the editor, and the line of the cursor of scope and path.
+// Keys of the page, clicks in the editor, and the line at the cursor of scope and path.
 (() => {
   const keys = KEYS;
   const editor = () => {
@@ -10,7 +10,7 @@
   const find = () => document.querySelector("[data-testid=find]")?.focus();
 
   document.addEventListener("keydown", (event) => {
-    if (event.target.closest(".nc-plc-lines, .nc-plc-tree") && /^(Arrow|Page|Home|End)/.test(event.key)) return; // moves its cursor
+    if (event.target.closest(".nc-plc-lines, .nc-plc-tree") && /^(Arrow|Page|Home|End)/.test(event.key)) return; // these keys move its own cursor
     const inside = isInField(event.target), isCommand = event.ctrlKey || event.metaKey;
     if (isCommand && event.key.toLowerCase() === "s") {
       event.preventDefault();
@@ -18,22 +18,22 @@
       return;
     }
     if (isCommand && event.key.toLowerCase() === "f" && inside && globalThis.nctaktEditor?.isLong) {
-      event.preventDefault(); // the library would search what the browser has of the lines
+      event.preventDefault(); // the library would search only the lines that the browser has
       event.stopPropagation();
       find();
       return;
     }
     if (isCommand || event.altKey || !(event.key in keys) || (inside && !keys[event.key])) return;
     if (document.querySelector(".q-dialog") && event.key !== "Escape") return;
-    if (event.key === "Escape") { // what is open in the editor closes first
-      if (inside && !document.querySelector(".cm-tooltip-autocomplete, .cm-panel, .nc-told-here")) document.activeElement.blur();
+    if (event.key === "Escape") { // panels of the editor close first
+      if (inside && !document.querySelector(".cm-tooltip-autocomplete, .cm-panel, .nc-tip-here")) document.activeElement.blur();
       return;
     }
     event.preventDefault();
     event.stopPropagation();
     const typing = document.querySelector(".nc-plc-edit .cm-content"), lines = document.querySelector(".nc-plc-lines");
     if (typing?.offsetParent && ["e", "F1", "F4", "g"].includes(event.key)) { if (event.key === "e") typing.focus(); return; }
-    const shown = lines && lines.offsetParent ? lines : null; // a file of the PLC takes the editor's place
+    const shown = lines && lines.offsetParent ? lines : null; // a file of the PLC replaces the editor
     if (event.key === "e") { if (shown || editor()) (shown || editor()).focus(); return; }
     if (event.key === "F1" || event.key === "F4" || event.key === "g") {
       if (shown) { if (event.key === "F1") emitEvent("nctakt_key", { key: "F1" }); return; }
@@ -50,20 +50,20 @@
     if (event.target.closest("[data-testid=toggle]")) globalThis.nctaktRun?.hold();
   }, true);
 
-  // The options of a choice are in a part that can take the focus: by ARIA only a group may be that.
+  // The options of a select are in an element that can have the focus, which ARIA allows only for a group.
   const options = "[role=listbox] > .q-virtual-scroll__content:not([role])";
   new MutationObserver(() => {
     document.querySelectorAll(options).forEach((part) => part.setAttribute("role", "group"));
   }).observe(document.documentElement, { childList: true, subtree: true });
 
-  // Whoever asks why, or sets a stop, is not about to type: the focus stays where it is.
+  // A click that asks why or sets a stop does not mean typing: the focus stays where it is.
   document.addEventListener("mousedown", (event) => {
     if (!event.target.closest(".nc-inline, .cm-lineNumbers .cm-gutterElement")) return;
     event.preventDefault();
     event.stopPropagation();
   }, true);
 
-  // A click on a line number sets a stop, one on what stands beside a condition asks why.
+  // A click on a line number sets a stop, one on the note beside a condition asks why.
   document.addEventListener("click", (event) => {
     const number = event.target.closest(".cm-lineNumbers .cm-gutterElement");
     if (number) { emitEvent("nctakt_line", { what: "stop", line: Number(number.textContent) }); return; }
@@ -74,12 +74,12 @@
     }
   });
 
-  // Tab leaves the editor as it leaves any other field; Ctrl+] indents.
+  // Tab leaves the editor like any other field; Ctrl+] indents.
   document.addEventListener("keydown", (event) => {
     if (event.key === "Tab" && event.target.closest && event.target.closest(".cm-editor")) event.stopPropagation();
   }, true);
 
-  // The editor has a name and can be reached by Tab; it is light or dark as the page is, which follows the system.
+  // The editor has a name and can be reached by Tab; it is light or dark like the page, which follows the system.
   const dress = ({ contentDOM }) => {
     contentDOM.setAttribute("aria-label", PROGRAM_NAME);
     contentDOM.tabIndex = 0;
@@ -102,7 +102,7 @@
     if (line !== nctaktRun.run.line) { nctaktRun.run.line = line; nctaktRun.changed(); }
   });
 
-  // The current block is in view, unless a person has just moved the text or chosen a line.
+  // The current block stays in view, unless the user has just scrolled or chosen a line.
   let shown = "", goal = 0, quietUntil = 0;
   const rest = () => { quietUntil = Date.now() + 4000; };
   for (const name of ["wheel", "pointerdown", "keydown", "touchmove"]) {
@@ -112,7 +112,7 @@
       goal = 0;
     }, { capture: true, passive: true });
   }
-  // Heights far away are estimates: after it has scrolled it looks again where it has come to.
+  // Heights of distant lines are estimates: after scrolling, the position is checked again.
   const look = (view, line, looks = 6) => {
     if (goal !== line || line > view.state.doc.lines) return;
     const { scrollDOM } = view, { top, height } = view.lineBlockAt(view.state.doc.line(line).from);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program in the browser: lines of a long one by request, colours, marks, findings, words that
-// the server completes and explains.
+// The program in the browser: lines of long programs by request, colours, marks, findings, words
+// completed and explained by the server.
 (() => {
   const WORDS = PROGRAM_WORDS;
   const component = () => {
@@ -8,8 +8,8 @@
   };
   const editor = () => component()?.editor;
 
-  // --- what is asked of the server -------------------------------------------------------------
-  // Of several questions of a kind the newest is answered; the others have no answer.
+  // --- requests to the server ------------------------------------------------------------------
+  // Of several requests of one kind only the newest is answered.
   const asked = new Map();
   let count = 0;
   const ask = (what, words) => new Promise((resolve) => {
@@ -33,7 +33,7 @@
   const equip = async (view) => {
     const CM = await import("nicegui-codemirror");
     const { Decoration, EditorState, EditorView, StateEffect, StateField } = CM;
-    // What comes from the server is not sent back to it, and cannot be undone.
+    // Changes from the server are not sent back to it and cannot be undone.
     const put = (changes) => {
       const holder = component(), wasEmitting = holder.emitting;
       holder.emitting = false;
@@ -48,8 +48,8 @@
     });
 
     // --- lines and their colours ---------------------------------------------------------------
-    // A long program is held as empty lines; those in view are filled by request. Where somebody
-    // has typed meanwhile, the server is asked again, some times only: it may never hear of a text.
+    // A long program consists of empty lines; those in view are filled by request. If the user has
+    // typed meanwhile, the request is repeated a few times only: the server may never get that text.
     const setColours = StateEffect.define(), colours = fieldOf(setColours), classes = new Map();
     const lock = new CM.Compartment();
     let timer = 0, tries = 0, edition = -1, isLong = false;
@@ -103,12 +103,12 @@
       if (isNew && length) askLines(0);
       else if (isOther && tries < 10) { tries += 1; askLines(300); }
     };
-    // Another text takes the place of one that the server knows, never of what it has not heard of.
+    // A new text replaces only a text that the server knows, never one that it has not yet received.
     const replace = (old, text) => {
       if ((isLong ? "" : view.state.doc.toString()) !== old) return;
       if (isLong) hold(0);
       let start = 0, end = old.length, last = text.length;
-      if (!/[\uD800-\uDFFF]/.test(old + text)) { // a pair must not be cut
+      if (!/[\uD800-\uDFFF]/.test(old + text)) { // a surrogate pair must not be split
         while (start < end && start < last && old[start] === text[start]) start += 1;
         while (end > start && last > start && old[end - 1] === text[last - 1]) { end -= 1; last -= 1; }
       }
@@ -116,7 +116,7 @@
     };
 
     // --- drafts ----------------------------------------------------------------------------------
-    // What is written and not saved outlives the page: a browser that wakes up loads it anew.
+    // Unsaved text outlives the page: a browser that wakes up loads the page again.
     const DRAFTS = "nctakt draft ";
     let owner = null, keeping = 0;
     const keep = () => {
@@ -127,7 +127,7 @@
       try {
         if (text === owner.begin) sessionStorage.removeItem(name);
         else sessionStorage.setItem(name, JSON.stringify([owner.begin, text]));
-      } catch { sessionStorage.removeItem(name); } // it is longer than the browser keeps
+      } catch { sessionStorage.removeItem(name); } // it is too long for the browser's storage
     };
     const keepLater = () => { keeping ||= setTimeout(keep, 250); };
     addEventListener("pagehide", keep);
@@ -140,7 +140,7 @@
       .map(([name, kept]) => [name.slice(DRAFTS.length), ...JSON.parse(kept)]);
 
     // --- marks -----------------------------------------------------------------------------------
-    // Blocks, conditions with what stands beside them, stops, findings: by lines and columns.
+    // Blocks, conditions with their notes, stops, findings: by lines and columns.
     class Beside extends CM.WidgetType {
       constructor(text, name) { super(); this.text = text; this.name = name; }
       eq(other) { return other.text === this.text && other.name === this.name; }
@@ -179,15 +179,15 @@
       view.dispatch({ effects: [setMarks.of(Decoration.set(found, true)), setStops.of(CM.RangeSet.of(stopped, true))] });
     };
 
-    // --- what is known of a word or a finding -----------------------------------------------------
-    const tell = (parts, name = "nc-told") => {
+    // --- explanations of words and findings -------------------------------------------------------
+    const tipOf = (parts, name = "nc-tip") => {
       const element = document.createElement("div");
       element.className = name;
       for (const part of parts) {
         const row = element.appendChild(document.createElement("div"));
         if (part.html !== undefined) row.setHTML(part.html);
         else {
-          row.className = `nc-told-finding ${part.class}`;
+          row.className = `nc-tip-finding ${part.class}`;
           row.appendChild(document.createElement("div")).textContent = part.text;
           row.appendChild(document.createElement("div")).textContent = part.remedy;
         }
@@ -205,48 +205,48 @@
     };
     const hover = CM.hoverTooltip(async (_, position) => {
       const found = await knownAt(position);
-      return found && { pos: found.from, end: found.to, above: true, create: () => ({ dom: tell(found.parts) }) };
+      return found && { pos: found.from, end: found.to, above: true, create: () => ({ dom: tipOf(found.parts) }) };
     });
-    // By keyboard the same is shown at the cursor, and read out, until the cursor moves.
-    const setTold = StateEffect.define();
-    const told = StateField.define({
+    // On a key press the same is shown at the cursor, and read out, until the cursor moves.
+    const setOpenTip = StateEffect.define();
+    const openTip = StateField.define({
       create: () => null,
       update: (now, change) => {
-        const found = change.effects.find((one) => one.is(setTold));
+        const found = change.effects.find((one) => one.is(setOpenTip));
         if (found) return found.value;
         return change.docChanged || change.selection ? null : now;
       },
       provide: (field) => CM.showTooltip.from(field),
     });
-    const tellAt = (position, parts, text) => {
+    const showTipAt = (position, parts, text) => {
       const said = [...parts.map((part) => part.text).filter(Boolean), ...parts.map((part) => part.remedy).filter(Boolean), text];
-      const tooltip = { pos: position, above: true, create: () => ({ dom: tell(parts, "nc-told nc-told-here") }) };
-      view.dispatch({ effects: [setTold.of(tooltip), EditorView.announce.of(said.filter(Boolean).join("\n"))] });
+      const tooltip = { pos: position, above: true, create: () => ({ dom: tipOf(parts, "nc-tip nc-tip-here") }) };
+      view.dispatch({ effects: [setOpenTip.of(tooltip), EditorView.announce.of(said.filter(Boolean).join("\n"))] });
     };
     const explain = () => {
       const position = view.state.selection.main.head;
       knownAt(position).then((found) => {
         if (view.state.selection.main.head !== position) return;
-        if (found) tellAt(found.from, found.parts, found.text);
-        else tellAt(position, [{ class: "", text: WORDS.nothing, remedy: "" }], "");
+        if (found) showTipAt(found.from, found.parts, found.text);
+        else showTipAt(position, [{ class: "", text: WORDS.nothing, remedy: "" }], "");
       });
     };
     const next = (step) => {
-      if (!findings.length) { tellAt(view.state.selection.main.head, [{ class: "", text: WORDS.none, remedy: "" }], ""); return; }
+      if (!findings.length) { showTipAt(view.state.selection.main.head, [{ class: "", text: WORDS.none, remedy: "" }], ""); return; }
       const here = view.state.selection.main.head;
       const goal = step > 0 ? findings.find(({ from }) => from > here) ?? findings[0]
         : findings.findLast(({ from }) => from < here) ?? findings.at(-1);
       view.dispatch({ selection: { anchor: goal.from }, effects: EditorView.scrollIntoView(goal.from, { y: "nearest" }) });
-      tellAt(goal.from, findings.filter(({ from }) => from === goal.from), "");
+      showTipAt(goal.from, findings.filter(({ from }) => from === goal.from), "");
     };
     const close = () => {
-      if (!view.state.field(told)) return false;
-      view.dispatch({ effects: setTold.of(null) });
+      if (!view.state.field(openTip)) return false;
+      view.dispatch({ effects: setOpenTip.of(null) });
       return true;
     };
 
     // --- completion -------------------------------------------------------------------------------
-    // The words of the language server in its order; of a text with gaps the first one is selected.
+    // The words of the language server in its order; in a text with gaps the first gap is selected.
     const GAP = /\$(?:\{(\d+)(?::([^{}]*)|\|([^{}|]*)\|)?\}|(\d+))/g;
     const insert = (item) => (target, completion, from, to) => {
       const { state } = target, line = state.doc.lineAt(to), begin = line.from + item.start;
@@ -286,12 +286,12 @@
 
     view.dispatch({
       effects: StateEffect.appendConfig.of([
-        colours, marks, stops, told, look, hover, lock.of([]),
+        colours, marks, stops, openTip, look, hover, lock.of([]),
         EditorState.languageData.of(() => [{ autocomplete: complete }]),
         EditorState.phrases.of(WORDS.phrases),
         CM.Prec.highest(CM.keymap.of([{ key: "Escape", run: close }])),
         EditorView.domEventHandlers({
-          // what has not come yet cannot be copied
+          // lines that are not loaded yet cannot be copied
           copy: (event) => {
             if (!isLong || view.state.selection.ranges.every(({ from, to }) => isFilled(from, to))) return false;
             event.preventDefault();
@@ -306,7 +306,7 @@
       const inView = [doc.lineAt(view.viewport.from).number, doc.lineAt(view.viewport.to).number];
       return inView[0] <= first && last <= inView[1];
     };
-    // The cursor goes to a line, which comes into view.
+    // Moves the cursor to a line and scrolls it into view.
     const go = (line) => {
       if (line < 1 || line > view.state.doc.lines) return;
       view.dispatch({ selection: { anchor: view.state.doc.line(line).from } });

@@ -6,7 +6,7 @@ import { changed, indexAt, listen, run } from "nctakt-store";
 const FEED = "#3b82f6", RAPID = "#9aa1ab", FIRED = "#e8833a", TOOL = "#d64545", LIMIT = "#b3261e";
 const CHANNELS = [FEED, "#c2549d", "#b08900", "#7a5c3e"]; // feed of channel 1, 2 …
 
-// The axes to the right and upwards in a view, none in space.
+// The horizontal and the vertical axis of a view, none in space.
 const VIEWS = { space: null, top: [0, 1], front: [0, 2], side: [1, 2] };
 
 export default {
@@ -48,7 +48,7 @@ export default {
       changed();
     },
 
-    // Under a transformation the tip is elsewhere than the axes.
+    // With a transformation the position of the tip differs from that of the axes.
     showAxes(isWished) { this.showsAxes = isWished; changed(); },
     shown() { return this.tip.length && !this.showsAxes ? this.tip : this.axes; },
     showsTip() { return this.shown() === this.tip; },
@@ -84,7 +84,7 @@ export default {
     },
 
     // --- places ------------------------------------------------------------------------------
-    // The path of a channel: columns of its axes, null where it has none, in the past and to come.
+    // The path of a channel: columns of its axes, past and future; null without such an axis.
     trailOf(channel, names, rapid) {
       const column = (name) => run.columns[run.names.indexOf(name)];
       const tint = CHANNELS[(channel - 1) % CHANNELS.length];
@@ -103,12 +103,12 @@ export default {
       const share = (tick - run.ticks[index]) / (run.ticks[next] - run.ticks[index]), to = this.pointAt(next, trail);
       return from.map((value, axis) => value + share * (to[axis] - value));
     },
-    // Where the tool is at the tick that is shown.
+    // The position of the tool at the shown tick.
     pointNow({ names } = this.trails[0]) {
       const found = names.map((name) => (name === null ? 0 : run.now[run.names.indexOf(name)]));
       return found.every(Number.isFinite) ? found : null;
     },
-    // Where the tool points from its tip, null where nothing says it: it is 0 0 0 there.
+    // The direction of the tool from its tip; null where it is 0 0 0, that is unknown.
     directionAt(index) {
       const found = this.directions.map((values) => (values ? values[index] : 0));
       return found.some((value) => value) ? found : null;
@@ -117,7 +117,7 @@ export default {
       const found = this.direction.map((name) => run.now[run.names.indexOf(name)]);
       return this.showsTip() && found.every(Number.isFinite) && found.some((value) => value) ? found : null;
     },
-    // A transformation comes or goes there: the positions are those of something else.
+    // A transformation begins or ends there: positions before and after it are not comparable.
     isOther(index) { return !this.directionAt(index - 1) !== !this.directionAt(index); },
     measure() {
       this.directions = this.showsTip() ? this.direction.map((name) => run.columns[run.names.indexOf(name)]) : [];
@@ -166,7 +166,7 @@ export default {
       if (VIEWS[this.camera.view]) this.drawGrid(pen, place, width, height, VIEWS[this.camera.view]);
       else this.drawBox(pen, place);
       this.drawLimits(pen, place);
-      for (const trail of [...this.trails].reverse()) { // the chosen one on top
+      for (const trail of [...this.trails].reverse()) { // the chosen channel on top
         this.drawFuture(pen, place, trail);
         this.drawKind(pen, place, trail, true);
         this.drawKind(pen, place, trail, false);
@@ -193,7 +193,7 @@ export default {
       const middle = this.bounds.map(([low, high]) => (low + high) / 2);
       return this.projected(vector.map((part, axis) => middle[axis] + part));
     },
-    // The tool at places of the path, as many as can be told apart.
+    // The tool at places of the path, as many as can be distinguished.
     drawDirections(pen, place) {
       if (!this.directions.length) return;
       pen.strokeStyle = TOOL; pen.globalAlpha = 0.55; pen.lineWidth = 1;
@@ -210,13 +210,13 @@ export default {
       }
       pen.stroke(); pen.globalAlpha = 1;
     },
-    // The columns of the future, from the first tick on that has not run.
+    // The columns of the future, from the first tick that has not run.
     coming(name) {
       const { future } = run, column = future ? future.names.indexOf(name) : -1;
       if (column < 0 || !future.ticks.length) return [];
       return future.columns[column].slice(indexAt(future.ticks, run.latest) + 1);
     },
-    // What comes if nobody writes: dimmed, on from where the branch ends.
+    // The future without further input: dimmed, from the end of the branch.
     drawFuture(pen, place, trail) {
       if (!run.future || !run.future.ticks.length) return;
       const { coming, comingRapid: rapid } = trail, isMain = trail === this.trails[0];
@@ -260,11 +260,11 @@ export default {
       this.drawDiamonds(pen, found);
       pen.globalAlpha = 1;
     },
-    // The software limits of the axes, as far as they have some.
+    // The software limits of those axes that have some.
     drawLimits(pen, place) {
       const limits = [0, 1, 2].map((axis) => (this.limits || [])[axis] || [null, null]);
       const plane = VIEWS[this.camera.view], axes = (plane || [0, 1, 2]).filter((axis) => axis < this.axes.length);
-      if (this.showsTip()) return; // they are those of the axes
+      if (this.showsTip()) return; // the limits are in axis coordinates
       if (axes.some((axis) => limits[axis].includes(null))) return;
       const corner = (bits) => [0, 1, 2].map((axis) => (axes.includes(axis) ? limits[axis][(bits >> axis) & 1] : 0));
       pen.strokeStyle = LIMIT; pen.lineWidth = 1; pen.globalAlpha = 0.6; pen.setLineDash([8, 4]);
@@ -302,7 +302,7 @@ export default {
       pen.fillStyle = colour("--nc-ink");
       pen.textAlign = "left"; pen.textBaseline = "top"; pen.fillText(`${this.nameOf(upward)} mm`, 3, 3);
     },
-    // The box around the path, with the lengths of its edges at their names.
+    // The box around the path, with names and lengths of its edges.
     drawBox(pen, place) {
       const corner = (bits) => this.bounds.map((range, axis) => range[(bits >> axis) & 1]);
       pen.strokeStyle = colour("--nc-grid"); pen.lineWidth = 1;
@@ -352,7 +352,7 @@ export default {
       }
       this.drawDiamonds(pen, found);
     },
-    // Those at one place are one; all of a size are one shape, which takes a fraction of the time.
+    // Diamonds at the same place are drawn once, all of one size as one shape: much faster.
     drawDiamonds(pen, found) {
       const spots = new Set();
       pen.fillStyle = FIRED;
@@ -367,7 +367,7 @@ export default {
         pen.fill();
       }
     },
-    // Where another channel is, with its number; returns the place.
+    // Draws the position of another channel, with its number; returns the place.
     drawPlace(pen, place, trail) {
       const point = this.pointNow(trail);
       if (!point) return null;
@@ -386,7 +386,7 @@ export default {
         pen.globalAlpha = 0.75;
         pen.beginPath(); pen.moveTo(...at(11, 1)); pen.lineTo(...at(34, 1)); pen.lineTo(...at(34, -1)); pen.lineTo(...at(11, -1)); pen.fill();
         pen.globalAlpha = 1;
-        pen.beginPath(); pen.arc(x, y, 2.5, 0, 7); pen.fill(); // seen along it there is nothing else
+        pen.beginPath(); pen.arc(x, y, 2.5, 0, 7); pen.fill(); // seen from the end, the line has no length
         return;
       }
       if (VIEWS[this.camera.view]) { pen.beginPath(); pen.arc(x, y, 5.5, 0, 7); pen.fill(); return; }

@@ -4,7 +4,7 @@ import { clamp, colour, cut, short, sized, ticks } from "nctakt-drawing";
 import { blockAt, changed, compared, curves, fit, indexAt, laneBars, listen, mark, pan, run, seconds, show, shownUnit, take, zoom } from "nctakt-store";
 
 const LEFT = 50, RIGHT = 8, LANE = 15, ROW = 20, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4, MAX_LANES = 6, LEGEND = 14;
-const FILTER = "nctakt filter of conditions"; // kept when this page is loaded anew
+const FILTER = "nctakt filter of conditions"; // kept when this page is reloaded
 const LANES_TOP = LABEL * LABEL_ROWS + 3;
 const COLOURS = ["#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0", "#0ea5b7", "#d64545",
   "#84a316", "#a16ae8", "#64748b", "#d97796"];
@@ -43,7 +43,7 @@ export default {
       run.firstLane = clamp(run.firstLane + rows, 0, Math.max(0, run.lanesShown.length - MAX_LANES));
       changed();
     },
-    // The condition under the editor's pointer comes into view.
+    // Scrolls to the condition under the pointer in the editor.
     followLine() {
       const row = run.line === this.line ? -1 : run.lanesShown.findIndex((index) => run.conditions[index] === run.line);
       this.line = run.line;
@@ -56,7 +56,7 @@ export default {
     xOf(tick) { return LEFT + ((tick - run.from) / (run.to - run.from)) * this.inner(); },
     tickOf(x) { return run.from + ((x - LEFT) / this.inner()) * (run.to - run.from); },
 
-    // The tick of the curves at a place: its values are known, so that they are what a travel shows.
+    // The nearest tick with known values: travelling there shows the same values.
     tickAt(x) {
       const tick = clamp(Math.round(this.tickOf(x)), 0, Math.max(run.latest, run.tick, 0)), { ticks: known } = curves();
       const before = known[indexAt(known, tick)] ?? -Infinity, after = known[indexAt(known, tick) + 1] ?? Infinity;
@@ -120,7 +120,7 @@ export default {
       } else zoom(this.tickOf(event.offsetX), Math.exp(clamp(event.deltaY, -200, 200) * 0.003));
       this.ask();
     },
-    // Asks for the stretch that is shown in detail once it stays as it is for a moment.
+    // Asks for details of the shown stretch once it has not changed for a moment.
     ask() {
       clearTimeout(this.asking);
       this.asking = setTimeout(() => {
@@ -152,7 +152,7 @@ export default {
         const index = lanesShown[run.firstLane + row];
         this.drawCondition(pen, run.conditions[index], index, lanesTop + row * LANE, width);
       }
-      if (lanesShown.length > rows) { // which of them these are
+      if (lanesShown.length > rows) { // which part of the conditions is shown
         const share = (rows * LANE) / lanesShown.length;
         pen.fillStyle = colour("--nc-soft");
         pen.fillRect(width - RIGHT + 3, lanesTop + run.firstLane * share, 3, rows * share);
@@ -184,7 +184,7 @@ export default {
       pen.textAlign = "right";
       pen.fillText("s", width - RIGHT, bottom + 3);
     },
-    // Where the line under the editor's pointer is current, or its branch fires.
+    // The ticks in which the line under the pointer in the editor is current, or its branch fires.
     drawLine(pen, top, bottom) {
       if (!run.line) return;
       pen.fillStyle = colour("--nc-chosen");
@@ -204,16 +204,16 @@ export default {
       let drawn = 0;
       for (const [begin, end, isExact] of laneBars(line, row)) {
         const left = Math.max(this.xOf(begin), LEFT), right = Math.max(Math.min(this.xOf(end), width - RIGHT), left + 1.5);
-        if (right < LEFT || left > width - RIGHT || right <= drawn + 0.5) continue; // thousands may be in one column
+        if (right < LEFT || left > width - RIGHT || right <= drawn + 0.5) continue; // one column may have thousands
         drawn = right;
-        pen.globalAlpha = isExact ? 1 : 0.55; // sampled: what was between is not known
+        pen.globalAlpha = isExact ? 1 : 0.55; // sampled: unknown in between
         pen.fillRect(left, y + 3, right - left, LANE - 6);
       }
       pen.globalAlpha = 1;
     },
     drawMarks(pen, width, top, bottom) {
       const ends = Array(LABEL_ROWS).fill(-Infinity), groups = [];
-      for (const [tick, kind, label, line] of run.marks) { // those of one place are one group
+      for (const [tick, kind, label, line] of run.marks) { // marks at one place form a group
         if (tick < run.from || tick > run.to) continue;
         const x = this.xOf(tick), last = groups[groups.length - 1];
         const isChosen = Boolean(line) && line === run.line;
@@ -233,7 +233,7 @@ export default {
         const begin = row < 0 ? top - 3 : row * LABEL + 1;
         pen.beginPath(); pen.moveTo(x, begin); pen.lineTo(x, bottom); pen.stroke();
         pen.setLineDash([]); pen.globalAlpha = 1;
-        if (row < 0) continue; // no room: the line alone
+        if (row < 0) continue; // no room for a label
         pen.fillText(label, left, row * LABEL + LABEL / 2 + 1);
         ends[row] = left + wide;
       }
@@ -277,19 +277,19 @@ export default {
       pen.restore();
       this.drawLegend(pen, label, entries, tints, top);
     },
-    // The rows of the stretch that is shown, and one more on either side.
+    // The rows of the shown stretch, and one more on either side.
     rowsOf(shown) {
       const begin = Math.max(0, indexAt(shown.ticks, run.from));
       return [begin, Math.min(shown.ticks.length - 1, indexAt(shown.ticks, run.to) + 1)];
     },
-    // A row of its own for what is true or false: filled while it is true, with its name in it.
+    // A separate row for a truth value: filled while it is true, with its name inside.
     drawBoolean(pen, shown, index, tint, top, width) {
       const [begin, end] = this.rowsOf(shown), low = top + ROW - 3, high = top + 3;
       const yOf = (value) => (value > 0 ? high : low);
       pen.save();
       pen.beginPath(); pen.rect(LEFT, top, this.inner(), ROW); pen.clip();
       pen.fillStyle = tint; pen.globalAlpha = 0.2;
-      let first = -1; // rows that follow each other are one shape: between two there would be a seam
+      let first = -1; // adjacent rows are one shape: two would have a seam
       for (let i = begin; i <= end; i += 1) {
         const isTrue = shown.columns[index][i] > 0;
         if (isTrue && first < 0) first = i;
@@ -305,10 +305,10 @@ export default {
       pen.fillStyle = colour("--nc-ink"); pen.textAlign = "left"; pen.textBaseline = "middle";
       pen.fillText(cut(pen, this.legendOf(shown, index, 1), width - RIGHT - LEFT - 8), LEFT + 4, top + ROW / 2);
     },
-    // Rows that share half a pixel of the width are one line from their lowest to their highest value.
+    // Rows within half a pixel are one line from their lowest to their highest value.
     drawCurve(pen, shown, index, tint, begin, end, isStep, yOf) {
       const values = shown.columns[index], known = shown.ticks;
-      const half = (2 * this.inner()) / (run.to - run.from); // half pixels of a tick
+      const half = (2 * this.inner()) / (run.to - run.from); // half pixels per tick
       let x = NaN, low, high, last;
       const close = () => {
         if (high > low) { pen.lineTo(x, low); pen.lineTo(x, high); pen.lineTo(x, last); }
@@ -335,14 +335,14 @@ export default {
       close();
       pen.stroke();
     },
-    // The part of a machine's log that is shown, null without one.
+    // The shown part of a machine's log, null without one.
     loggedIn(index) {
       const logged = run.logged[run.names[index]];
       if (!logged) return null;
       const begin = Math.max(0, indexAt(logged.ticks, run.from));
       return { ...logged, begin, end: Math.min(logged.ticks.length - 1, indexAt(logged.ticks, run.to) + 1) };
     },
-    // The log as a second, pale curve; red between both, and a bar where it is beyond its tolerance.
+    // The log as a second, pale curve; the area between both is red, with a bar where the tolerance is exceeded.
     drawLogged(pen, shown, index, tint, isStep, yOf, bottom) {
       const logged = this.loggedIn(index);
       if (!logged) return;
@@ -361,14 +361,14 @@ export default {
       for (const [x, y] of back.reverse()) area.lineTo(x, y);
       pen.strokeStyle = tint; pen.globalAlpha = 0.45; pen.lineWidth = 4;
       pen.stroke(line);
-      pen.fillStyle = MARKS.error; pen.globalAlpha = 0.5;  // on top: a narrow area would be hidden
+      pen.fillStyle = MARKS.error; pen.globalAlpha = 0.5;  // on top, since a narrow area would be hidden
       if (!isStep) pen.fill(area);
       pen.globalAlpha = 1;
       for (const [begin, end] of logged.beyond) {
         pen.fillRect(this.xOf(begin), bottom - 3, Math.max(2, this.xOf(end) - this.xOf(begin)), 3);
       }
     },
-    // The value of a drawn curve at a time between two ticks, null outside of it.
+    // The value of a drawn curve between two ticks, null outside the curve.
     valueAt(shown, index, tick) {
       const at = indexAt(shown.ticks, tick), values = shown.columns[index];
       if (at < 0 || !Number.isFinite(values[at])) return null;
@@ -376,17 +376,17 @@ export default {
       const share = (tick - shown.ticks[at]) / (shown.ticks[at + 1] - shown.ticks[at]);
       return values[at] + share * (values[at + 1] - values[at]);
     },
-    // The log's value at a tick as text, where all of its samples are here.
+    // The log's value at a tick as text, if the browser has all samples.
     loggedText(index, tick, factor) {
       const logged = run.logged[run.names[index]];
       if (!logged || !logged.isWhole) return "";
-      // beside its ends, less than a step away, the log has the value of its first or last sample
+      // less than a step beyond its ends, the log has the value of its first or last sample
       const { ticks, values } = logged, last = ticks.length - 1, near = clamp(tick, ticks[0], ticks[last]);
       const step = last < 1 ? 1 : near > ticks[0] ? ticks[last] - ticks[last - 1] : ticks[1] - ticks[0];
       const value = Math.abs(tick - near) >= Math.max(1, step) ? null : this.valueAt({ ticks, columns: [values] }, 0, near);
       return value === null ? "" : ` ${run.words.log} ${short(value * factor)}`;
     },
-    // Name and value at the cursor, without one at the session's tick; compared: what it is away.
+    // Name and value at the cursor, else at the session's tick; in a comparison also the difference.
     legendOf(shown, index, factor) {
       const both = compared(), tick = both ? both[1] : run.cursor, isNow = tick === null || tick === run.tick;
       const at = tick === null ? -1 : indexAt(shown.ticks, tick);
@@ -403,7 +403,7 @@ export default {
       const away = known && Number.isFinite(before) ? ` Δ ${short((value - before) * factor)}` : "";
       return `${name} ${known ? short(value * factor) : ""}${away}${logged}`;
     },
-    // Where the names and values of a panel stand: in as many rows as they need, but half of it at most.
+    // Places for the names and values of a panel: as many rows as needed, but at most half of the panel.
     legendPlaces(pen, shown, factor, indices, width, height) {
       const right = width - RIGHT, rows = Math.max(1, Math.floor(height / 2 / LEGEND));
       let x = LEFT + 4, row = 0;
@@ -426,7 +426,7 @@ export default {
         pen.fillText(text, x + 12, top + row * LEGEND + 6.5);
       });
     },
-    // What is compared: the stretch between two ticks, with its length.
+    // Draws the compared stretch between two ticks, with its length.
     drawCompared(pen, width, top, bottom) {
       const both = compared();
       if (!both) return;
@@ -447,7 +447,7 @@ export default {
       pen.fillStyle = colour("--nc-ink"); pen.textAlign = "left"; pen.textBaseline = "middle";
       pen.fillText(text, at + 5, bottom - 8);
     },
-    // Where the session stands, and the cursor with its time and line.
+    // Draws the session's tick, and the cursor with its time and line.
     drawPlaces(pen, width, top, bottom) {
       if (run.tick >= run.from && run.tick <= run.to) {
         const x = this.xOf(run.tick);

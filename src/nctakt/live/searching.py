@@ -66,7 +66,7 @@ class Search:
         return self.begin > 0 and not self.is_full
 
     @property
-    def _is_behind(self) -> bool:
+    def _lags(self) -> bool:
         return self.is_newest and self.end < self._source.latest
 
     @property
@@ -121,13 +121,13 @@ class Search:
                 self._asked = None
                 answer.set_result(None if found < 0 else found)
             return True
-        has_older, is_behind = self._has_older, self._is_behind
-        self._is_turn_back = has_older and not (is_behind and self._is_turn_back)
+        has_older, lags = self._has_older, self._lags
+        self._is_turn_back = has_older and not (lags and self._is_turn_back)
         if self._is_turn_back:
             self._add(next(self._back))
-        elif is_behind:
+        elif lags:
             self._add(next(self._on), is_newer=True)
-        return has_older or is_behind
+        return has_older or lags
 
     def _add(self, found: FoundEvents | None, *, is_newer: bool = False) -> None:
         """Keep the latest matches; of too many, all are known after the tick of the first one."""

@@ -20,7 +20,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.live.access.guard import LOCAL, WORD, Access, Guard, Refused
 from nctakt.live.access.places import MAX_BROWSERS, Places
-from nctakt.live.access.reporting import tell_errors
+from nctakt.live.access.reporting import report_errors
 from nctakt.live.document import Document
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
@@ -94,10 +94,10 @@ def serve(
     address: tuple[str, int],
     *,
     shown: Shown,
-    tell: Callable[[str], None],
+    announce: Callable[[str], None],
     reports: Reports,
 ) -> None:
-    """Serve the page until Ctrl-C; ``tell`` gets its address once."""
+    """Serve the page until Ctrl-C; ``announce`` gets its address once."""
     from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it
 
     from nctakt.live.access.compressing import Compression  # noqa: PLC0415 - as above
@@ -117,10 +117,10 @@ def serve(
 
     async def begin() -> None:
         gc.freeze()  # existing objects stay: this keeps garbage collection short
-        background_tasks.create(_announce(f"http://{written}:{port}/{word}", host, port, tell))
+        background_tasks.create(_announce(f"http://{written}:{port}/{word}", host, port, announce))
 
     sys.setswitchinterval(_SWITCH_S)
-    tell_errors(reports.error)
+    report_errors(reports.error)
     _guard(access, places, texts, reports.refused)
     app.on_startup(begin)
     ui.run(
@@ -167,7 +167,7 @@ async def _not_found(_: object, __: object) -> Response:
     return PlainTextResponse("404: not found\n", 404)
 
 
-async def _announce(url: str, host: str, port: int, tell: Callable[[str], None]) -> None:
+async def _announce(url: str, host: str, port: int, announce: Callable[[str], None]) -> None:
     """Report the address once somebody can connect."""
     while True:
         with contextlib.suppress(OSError):
@@ -175,7 +175,7 @@ async def _announce(url: str, host: str, port: int, tell: Callable[[str], None])
             writer.close()
             break
         await asyncio.sleep(0.01)
-    tell(url)
+    announce(url)
 
 
 def end_page() -> None:

@@ -41,8 +41,8 @@ PAGE = "page"
 RATE_HZ = 20.0
 _WAIT_S = 0.2
 
-#: How long nothing must have changed before the past is read, so that it holds up nobody, in
-#: seconds.
+#: How long nothing must have changed before the past is read, so that reading delays
+#: no request, in seconds.
 _REST_S = 0.1
 
 #: Rows of the curves that are taken from the past at even distances, as many more where the path
@@ -69,11 +69,11 @@ class SharedSession:
     """A session and the data that browsers show; raises ``Failure`` if it cannot be opened.
 
     ``file`` and ``channel``: those that are shown. ``delay``: ticks to an automatic
-    acknowledgement, 0: the CNC acknowledges at once, ``None``: a person does. ``pen``: who may
-    command. ``stops``: those of persons, as text. ``busy``: commands under way. ``branch_names``:
-    those that persons have given to branches. ``logged``: curves of a machine's log. ``plcs``: the
-    files of the session's PLCs, whose ``plc_files`` may be saved meanwhile. ``transformed``:
-    channels whose positions may be those of the tool's tip. ``watchers`` are called, from the
+    acknowledgement, 0: the CNC acknowledges at once, ``None``: a person does. ``in_control``: the
+    browser that may command. ``stops``: those of users, as text. ``busy``: commands under way.
+    ``branch_names``: those given by users. ``logged``: curves of a machine's log. ``plcs``: those
+    of the session, whose ``plc_files`` may be saved meanwhile. ``transformed``: channels
+    whose positions may be those of the tool's tip. ``watchers`` are called, from the
     session's thread, when a command or its end has changed the visible state.
     """
 
@@ -104,7 +104,7 @@ class SharedSession:
         self.delay: int | None = 0 if acknowledges else None
         self.program: str | None = None
         self.channel = channel
-        self.pen: str | None = None
+        self.in_control: str | None = None
         self.stops: list[str] = []
         self.busy = 0
         self._passing: StopAt | None = None
@@ -523,7 +523,7 @@ class SharedSession:
     def _look_back(self, session: Session) -> None:
         """Fetch lists, curves, marks and blocks from the past, unless they are already there.
 
-        That takes a while, but nobody waits for it: the state of the session is shown first.
+        That takes a while, but delays nothing: the state of the session is shown first.
         """
         log = self.log
         if log.lacks_some:

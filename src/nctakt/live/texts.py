@@ -28,9 +28,9 @@ WORDS: dict[str, tuple[str, str]] = {
     "faster": ("Faster", "Schneller"),
     "slower": ("Slower", "Langsamer"),
     "late": ("late slices", "verspätete Zeitscheiben"),
-    "pen": ("This browser has control", "Dieser Browser hat die Bedienung"),
-    "take_pen": ("Take control", "Bedienung übernehmen"),
-    "no_pen": ("Another browser has control.", "Ein anderer Browser hat die Bedienung."),
+    "in_control": ("This browser has control", "Dieser Browser hat die Bedienung"),
+    "take_control": ("Take control", "Bedienung übernehmen"),
+    "not_in_control": ("Another browser has control.", "Ein anderer Browser hat die Bedienung."),
     "too_fast": (
         "Too many commands at once: some were not carried out.",
         "Zu viele Befehle auf einmal: einige wurden nicht ausgeführt.",
@@ -293,8 +293,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "delay": ("ticks", "Takte"),
     "logged": ("log", "Aufz."),
     "delay_help": (
-        "Acknowledged so many ticks after it came up",
-        "So viele Takte nach ihrem Erscheinen quittiert",
+        "Ticks from its appearance to its acknowledgement",
+        "Takte vom Erscheinen bis zur Quittung",
     ),
     # Conditions.
     "true": ("true", "wahr"),

@@ -21,7 +21,7 @@ _TICKS = 2_000
 #: Least time between two sets of tables, in seconds, and how often longer than making one.
 _DISTANCE_S, _TIMES_LONGER = 0.5, 10
 
-#: How long nobody may look at the tables before the work pauses, in seconds.
+#: How long the tables may be out of sight before the work pauses, in seconds.
 _UNSEEN_S = 5.0
 
 

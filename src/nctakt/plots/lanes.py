@@ -36,7 +36,7 @@ class Bar:
 
 @dataclass(frozen=True, slots=True)
 class Lane:
-    """Bars of one subject; ``behind``: when its condition was true.
+    """Bars of one subject; ``background``: when its condition was true.
 
     ``kind``: that of its track, or ``signal``. ``number``: of a reaction, from 1; else 0. ``text``:
     the source line of a reaction.
@@ -45,7 +45,7 @@ class Lane:
     kind: str
     label: str
     bars: tuple[Bar, ...]
-    behind: tuple[Bar, ...] = ()
+    background: tuple[Bar, ...] = ()
     number: int = 0
     text: str = ""
 
@@ -85,8 +85,8 @@ def lanes_of(timeline: Timeline, language: Language) -> Iterator[Lane]:
     for track in timeline.of("channel"):
         lane = _lane(track, language)
         program = programs.get(track.label)
-        behind = () if program is None else _bars(program.slices, language)
-        yield Lane(lane.kind, lane.label, lane.bars, behind)
+        background = () if program is None else _bars(program.slices, language)
+        yield Lane(lane.kind, lane.label, lane.bars, background)
     for track in timeline.of("block", "wait"):
         yield _lane(track, language)
     for track in timeline.of("cycle"):
@@ -113,12 +113,12 @@ def _branches(timeline: Timeline, language: Language) -> Iterator[Lane]:
         key = (track.group, track.span)
         seen.add(key)
         condition = conditions.get(key)
-        behind = () if condition is None else _bars(condition.slices, language)
+        background = () if condition is None else _bars(condition.slices, language)
         yield Lane(
             track.kind,
             track.label,
             _bars(track.slices, language),
-            behind,
+            background,
             next(numbers),
             track.text,
         )

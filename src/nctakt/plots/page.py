@@ -173,7 +173,7 @@ class _Packer:
             "number": lane.number,
             "text": lane.text,
             "bars": self._bars(lane.bars),
-            "behind": self._bars(lane.behind),
+            "background": self._bars(lane.background),
         }
 
     def _bars(self, bars: Sequence[Bar]) -> list[list[float]]:

@@ -252,8 +252,8 @@ class Sheet:
         shortest_s = 0.0015 * duration_s
         for row, lane in enumerate(self._lanes):
             colour = LANE_COLOURS[lane.kind]
-            behind, _ = joined(lane.behind, _MAX_BARS, duration_s)
-            spans = [(bar.begin_s, max(bar.end_s - bar.begin_s, shortest_s)) for bar in behind]
+            background, _ = joined(lane.background, _MAX_BARS, duration_s)
+            spans = [(bar.begin_s, max(bar.end_s - bar.begin_s, shortest_s)) for bar in background]
             axes.broken_barh(spans, (row - 0.38, 0.76), facecolors=colour, alpha=0.22)
             bars, _ = joined(lane.bars, _MAX_BARS, duration_s)
             is_block = lane.kind in ("block", "cycle", "wait", "channel")

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The viewer of a run: its data, the parts of the page. page.py joins drawing/index.js and the files
-// in the order parts, time, path, pointer into one function; they share what stands here.
+// The viewer of a run: its data and the parts of the page. page.py joins drawing/index.js and the
+// files parts, time, path, pointer, in this order, into one function; they share the names declared here.
 const run = JSON.parse(document.getElementById("run").textContent);
 const view = document.getElementById("view");
 const words = run.words;

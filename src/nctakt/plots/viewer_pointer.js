@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What pointer, wheel and keys do; tooltips.
+// Effects of pointer, wheel and keys; tooltips.
 // --- pointer and keys ------------------------------------------------------------------------
 const showTip = (event, text) => {
   tip.style.display = text ? "block" : "none";
@@ -20,7 +20,7 @@ const tipAt = (x, y) => {
   const near = ([begin, end]) => x >= xOf(begin) - 3 && x <= Math.max(xOf(end), xOf(begin) + 2) + 3;
   const bar = lane.bars.find(near);
   if (bar) return barText(lane, bar, false);
-  const truth = lane.behind.find(near);
+  const truth = lane.background.find(near);
   return truth ? barText(lane, truth, true) : "";
 };
 timeCanvas.addEventListener("pointermove", (event) => {

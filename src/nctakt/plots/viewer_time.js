@@ -24,7 +24,7 @@ const drawCurve = (pen, line, top, low, high) => {
   const first = clamp(Math.floor((from - begin) / every) - 1, 0, values.length - 1);
   const last = clamp(Math.ceil((to - begin) / every) + 1, 0, values.length - 1);
   pen.beginPath();
-  if (last - first > 3 * inner()) { // more points than pixels: lowest and highest of each column
+  if (last - first > 3 * inner()) { // more points than pixels: lowest and highest value of each column
     let column = null, entry = first, lowest = first, highest = first;
     const close = (exit) => {
       const turns = lowest < highest ? [lowest, highest] : [highest, lowest];
@@ -111,7 +111,7 @@ const drawBars = (pen, bars, tint, alpha, y, height, named) => {
     if (begin > to) break;
     const left = Math.max(xOf(begin), LEFT), right = Math.min(xOf(end), LEFT + inner());
     const width = Math.max(right - left, 2);
-    if (left + width < past + 0.6) continue; // nothing new to see
+    if (left + width < past + 0.6) continue; // hidden by the previous bar
     past = left + width;
     pen.fillRect(left, y + (LANE - height) / 2, width - (named && width > 4 ? 1 : 0), height);
     if (named && width > 22) {
@@ -134,7 +134,7 @@ const drawLanes = (pen, width) => {
     if (lane.text) pen.fillText(cut(pen, lane.text, RIGHT - 18), width - RIGHT + 8, y + LANE / 2);
     pen.save();
     pen.beginPath(); pen.rect(LEFT, y, width - LEFT - RIGHT, LANE); pen.clip();
-    drawBars(pen, lane.behind, lane.colour, 0.25, y, 15, false);
+    drawBars(pen, lane.background, lane.colour, 0.25, y, 15, false);
     drawBars(pen, lane.bars, lane.colour, isNamed ? 0.5 : 0.95, y, isNamed ? 14 : 9, isNamed);
     pen.restore();
   });

@@ -3,7 +3,7 @@
 
 In: connections. Out: for each a ``Visitor``, in a separate thread, which becomes a guest by the
 token. The cost of visitors is bounded: a few at a time, for some seconds, with few bytes. So a
-visitor without the token keeps nobody else out.
+visitor without the token keeps no one else out.
 """
 
 from __future__ import annotations

@@ -75,11 +75,13 @@ class ChannelRun:
         remaining realtime cycles can react to it (RC-402, RC-505).
         """
         if self.is_stopped and not self._waits_for_start:
-            return self._stopped_at == self._machine.kernel.tick or not self._stands()
-        return self._outcome == "reset" and not self._stands()
+            return self._stopped_at == self._machine.kernel.tick or not self._is_at_rest()
+        return self._outcome == "reset" and not self._is_at_rest()
 
-    def _stands(self) -> bool:
-        return self._machine.path_stands(self._index) and not self.channel.executor.is_resetting
+    def _is_at_rest(self) -> bool:
+        return (
+            self._machine.has_path_stopped(self._index) and not self.channel.executor.is_resetting
+        )
 
     # --- programs in sequence -------------------------------------------------------------------
 

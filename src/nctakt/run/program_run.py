@@ -332,7 +332,7 @@ class ProgramRun:
             yield min(stop, end, loop.tick + PROGRESS_TICKS)
         count = REST_US // self._cycle_time_us if state == "error" else end
         rest = min(end, loop.tick + count)
-        while loop.tick < rest and not self._machine.stands():
+        while loop.tick < rest and not self._machine.has_stopped():
             yield loop.tick + 1
         if loop.state == "error":
             self.state = "error"

@@ -56,7 +56,7 @@ class TickLoop:
     ``plc``: a scripted PLC; ``has_plc``: something acknowledges technology functions, be it that
     script or a tape of one. ``scheduled_run``: the limited times of decoder, interpolation and PLC
     under a schedule. ``ends_deadlock``: ``advance`` returns with ``is_deadlocked`` when all
-    programs wait for each other's signals, and nobody outside can help.
+    programs wait for each other's signals, and nothing outside can free them.
     """
 
     def __init__(

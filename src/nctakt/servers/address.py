@@ -11,8 +11,8 @@ from collections.abc import Awaitable, Callable, Collection
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.servers import (
-    DOOR_ADDRESS_NOT_USABLE,
-    INVALID_DOOR_ADDRESS,
+    ENDPOINT_ADDRESS_NOT_USABLE,
+    INVALID_ENDPOINT_ADDRESS,
     INVALID_NETWORK,
 )
 
@@ -37,7 +37,7 @@ def read_address(option: str, text: str, port: int) -> tuple[str, int]:
     is_port = number.isascii() and number.isdigit() and int(number[:6]) <= _MAX_PORT
     is_host = bool(bare) and "/" not in bare and (":" not in bare or host.startswith("["))
     if not is_port or not is_host:
-        raise Failure(diagnostic(INVALID_DOOR_ADDRESS, option=option, text=text))
+        raise Failure(diagnostic(INVALID_ENDPOINT_ADDRESS, option=option, text=text))
     return bare, int(number)
 
 
@@ -87,7 +87,7 @@ async def listen_at(
     except (OSError, OverflowError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         found = diagnostic(
-            DOOR_ADDRESS_NOT_USABLE, endpoint=endpoint, host=host, port=port, reason=reason
+            ENDPOINT_ADDRESS_NOT_USABLE, endpoint=endpoint, host=host, port=port, reason=reason
         )
         raise Failure(found) from error
     taken = server.sockets[0].getsockname()[1]

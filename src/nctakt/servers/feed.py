@@ -2,7 +2,7 @@
 """The one listener of all servers: reports of the session -> calls in the loop of the servers.
 
 In: frames and notices, in the session's thread. Out: the same in the loop, in their order. The
-session never waits: when the loop is behind, the oldest frames are left out, and counted.
+session never waits: when the loop falls behind, the oldest frames are left out, and counted.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Feed(Listener):
                 self._waiting.popleft()
             self._hand_on(frame)
 
-    def tell(self, notice: Notice) -> None:
+    def notify(self, notice: Notice) -> None:
         """Hand a notice on."""
         with self._changed:
             self._hand_on(notice)

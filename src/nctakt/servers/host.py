@@ -127,7 +127,7 @@ class Host:
     # --- reports of the session -----------------------------------------------------------------
 
     def _take_frame(self, frame: Frame) -> None:
-        self.store.take(frame)
+        self.store.receive(frame)
         if self._latching:
             waiting, self._latching = self._latching, []
             for tick, latched in waiting:
@@ -136,15 +136,17 @@ class Host:
                 elif not latched.done():
                     latched.set_result(None)
         for message in frame.messages:
-            self.notices.tell(ServerNotice("message", frame.tick, message.text, message=message))
+            self.notices.notify(ServerNotice("message", frame.tick, message.text, message=message))
         for found in frame.diagnostics:
             if found.id in _OF_INTERFACE:
                 self.log.note("interface", tick=frame.tick, text=found.text("en"))
-            self.notices.tell(ServerNotice("diagnostic", frame.tick, str(found), diagnostic=found))
+            self.notices.notify(
+                ServerNotice("diagnostic", frame.tick, str(found), diagnostic=found)
+            )
 
     def _take_notice(self, notice: Notice) -> None:
         self.log.note(notice.kind, tick=notice.tick, text=notice.text)
-        self.notices.tell(
+        self.notices.notify(
             ServerNotice(notice.kind, notice.tick, notice.text, text_de=notice.text_de)
         )
 

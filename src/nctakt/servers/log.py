@@ -58,7 +58,7 @@ class _Budget:
 
 
 class ServerLog:
-    """Writes lines; ``write`` ``None``: nobody reads them.
+    """Writes lines; ``write``: ``None`` if they are not wanted.
 
     ``refused``: how often something was refused, by endpoints.
     """
@@ -100,7 +100,7 @@ class ServerLog:
         shown = {"endpoint": endpoint, "client": client, "reason": reason, **words}
         self._bounded("warning", ("refused", endpoint, party, reason), 1, shown)
 
-    def tell_counts(self) -> None:
+    def report_counts(self) -> None:
         """Log the numbers of repeated events."""
         self._end_repeats(None)
         self._end_budgets(None)

@@ -55,7 +55,7 @@ _MAX_PACKET, _PART = 16 << 20, 1 << 16
 #: How long each of the two farewells to a broker may take, in seconds: it may hang.
 _FAREWELL_S = 1.0
 
-_DOOR = "mqtt"
+_ENDPOINT = "mqtt"
 _AT_LEAST_ONCE = 1
 
 
@@ -104,7 +104,7 @@ class MqttEndpoint:
     def _waiting(self, maxsize: int) -> RequestQueue:
         """Return a queue for the requests of a new client, in place of the library's."""
         log, broker = self._host.log, self._broker
-        return RequestQueue(broker.root, lambda reason: log.refuse(_DOOR, broker.host, reason))
+        return RequestQueue(broker.root, lambda reason: log.refuse(_ENDPOINT, broker.host, reason))
 
     def _client(self) -> aiomqtt.Client:
         """Return a client that is not connected yet; its end is reported by the broker."""
@@ -152,14 +152,14 @@ class MqttEndpoint:
                 if not is_connected:
                     client = await self._connected()
                     is_connected, begin_s = True, loop.time()
-                self._host.log.note("connected", endpoint=_DOOR, client=self._broker.host)
+                self._host.log.note("connected", endpoint=_ENDPOINT, client=self._broker.host)
                 # in a separate task: in Python before 3.13 a group that fails while it waits for
                 # its tasks leaves the task around it cancelled
                 await asyncio.create_task(self._serve(client))
             except lost as error:
-                self._host.log.error("disconnected", endpoint=_DOOR, reason=str(error))
+                self._host.log.error("disconnected", endpoint=_ENDPOINT, reason=str(error))
             except Exception as error:  # noqa: BLE001 - one request must not end the endpoint
-                self._host.log.error("disconnected", endpoint=_DOOR, reason=error_text(error))
+                self._host.log.error("disconnected", endpoint=_ENDPOINT, reason=error_text(error))
             finally:
                 if is_connected:
                     is_connected = False
@@ -173,13 +173,13 @@ class MqttEndpoint:
 
     async def _serve(self, client: aiomqtt.Client) -> None:
         """Publish and answer until the connection ends."""
-        behind = asyncio.Event()
-        notices = self._host.notices.subscribe(behind.set)
+        is_full = asyncio.Event()
+        notices = self._host.notices.subscribe(is_full.set)
         try:
             async with asyncio.TaskGroup() as group:
                 group.create_task(self._publish_values(client))
                 group.create_task(self._publish_notices(client, notices))
-                group.create_task(_end_when(behind))
+                group.create_task(_end_when(is_full))
                 group.create_task(self._answer(client))
         except BaseExceptionGroup as several:
             raise several.exceptions[0] from None
@@ -250,7 +250,7 @@ class MqttEndpoint:
             topic = str(message.topic).removeprefix(f"{self._broker.root}/")
             payload = message.payload
             if message.retain:  # an old one, which would act again at each connection
-                self._host.log.refuse(_DOOR, self._broker.host, f"a retained {topic}")
+                self._host.log.refuse(_ENDPOINT, self._broker.host, f"a retained {topic}")
                 continue
             answer = await self._carry_out(topic, payload if isinstance(payload, bytes) else b"")
             await self._publish(client, "answer", _json(**answer))
@@ -261,25 +261,25 @@ class MqttEndpoint:
         try:
             request = read_request(payload)
         except ValueError as error:
-            self._host.log.refuse(_DOOR, client, f"{topic}: {error}")
+            self._host.log.refuse(_ENDPOINT, client, f"{topic}: {error}")
             return {"ok": False, "text": str(error)}
         answer: dict[str, Any] = {"id": request["id"]} if "id" in request else {}
         try:
             if topic == "write":
-                await self._host.write(values_of(request), _DOOR, client)
+                await self._host.write(values_of(request), _ENDPOINT, client)
             elif topic == "select":
                 await self._host.select(
-                    *program_of(request, len(self._host.machine.channels)), _DOOR, client
+                    *program_of(request, len(self._host.machine.channels)), _ENDPOINT, client
                 )
             else:
-                await self._host.press(*key_of(request), _DOOR, client)
+                await self._host.press(*key_of(request), _ENDPOINT, client)
         except Failure as failure:
             found = failure.diagnostics[0]
             return {**answer, "ok": False, "number": found.id, "text": found.text("en")}
         except Busy:
             return {**answer, "ok": False, "text": "too many writes wait"}
         except ValueError as error:
-            self._host.log.refuse(_DOOR, client, f"{topic}: {error}")
+            self._host.log.refuse(_ENDPOINT, client, f"{topic}: {error}")
             return {**answer, "ok": False, "text": str(error)}
         return {**answer, "ok": True, "tick": self._host.store.tick}
 
@@ -294,7 +294,7 @@ class _Unreadable(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Take a record of the library."""
-        self._log.refuse(_DOOR, self._broker, "a message that cannot be read")
+        self._log.refuse(_ENDPOINT, self._broker, "a message that cannot be read")
 
 
 def _bound(library: Any) -> None:
@@ -307,7 +307,7 @@ def _bound(library: Any) -> None:
 
     def received(size: int) -> bytes:
         if size > _MAX_PACKET or library._in_messages:
-            raise ConnectionError("the broker sends what nobody has asked for")
+            raise ConnectionError("the broker sends messages without a subscription")
         return cast("bytes", receive(min(size, _PART)))
 
     library._sock_recv = received
@@ -324,9 +324,9 @@ def _end_if_cancelled() -> None:
         raise asyncio.CancelledError
 
 
-async def _end_when(behind: asyncio.Event) -> None:
+async def _end_when(is_full: asyncio.Event) -> None:
     """Raise ``OSError`` once the broker has left too many notices unread."""
-    await behind.wait()
+    await is_full.wait()
     raise OSError("the broker takes notices too slowly")
 
 

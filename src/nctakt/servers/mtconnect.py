@@ -42,7 +42,7 @@ _LEAVING_S = 1.0
 #: The version of the protocol, and of the standard whose data items are sent.
 _SHDR_VERSION, _MTCONNECT_VERSION = "2.0", "2.0"
 
-_DOOR = "mtconnect"
+_ENDPOINT = "mtconnect"
 
 
 class MtconnectEndpoint:
@@ -97,23 +97,23 @@ class MtconnectEndpoint:
         client = _Client(self._host, writer)
         watch(writer.transport)
         if len(self.clients) >= MAX_CLIENTS and not self._make_room():
-            self._host.log.refuse(_DOOR, client.name, "too many clients")
+            self._host.log.refuse(_ENDPOINT, client.name, "too many clients")
             writer.close()
             return
         task = asyncio.current_task()
         assert task is not None
         self.clients[client] = task
-        self._host.log.visit("connected", _DOOR, client.address, client=client.name)
+        self._host.log.visit("connected", _ENDPOINT, client.address, client=client.name)
         try:
             client.greet(self._device)
-            client.take(self._host.store.tick, self._shown())
+            client.receive(self._host.store.tick, self._shown())
             await client.converse(reader)
         except (OSError, asyncio.IncompleteReadError):
             pass  # it has gone
         finally:
             self.clients.pop(client)
             client.abort()
-            self._host.log.visit("disconnected", _DOOR, client.address, client=client.name)
+            self._host.log.visit("disconnected", _ENDPOINT, client.address, client=client.name)
 
     def _make_room(self) -> bool:
         """End the oldest client that has never sent a ping, as agents do, if there is one."""
@@ -122,7 +122,7 @@ class MtconnectEndpoint:
         oldest = min(silent, key=lambda one: one.begun_s, default=None)
         if oldest is None:
             return False
-        self._host.log.refuse(_DOOR, oldest.name, "no ping, and its place was needed")
+        self._host.log.refuse(_ENDPOINT, oldest.name, "no ping, and its place was needed")
         oldest.abort()
         return True
 
@@ -131,7 +131,7 @@ class MtconnectEndpoint:
         if self.clients:
             shown = self._shown()
             for client in self.clients:
-                client.take(frame.tick, shown)
+                client.receive(frame.tick, shown)
 
     def _shown(self) -> dict[str, str]:
         """Return the latest values as sent, by the keys of the data items."""
@@ -177,7 +177,7 @@ class _Client:
             f"* deviceModel: {mark}\n{device}\n{mark}",
         ]
 
-    def take(self, tick: int, shown: Mapping[str, str]) -> None:
+    def receive(self, tick: int, shown: Mapping[str, str]) -> None:
         """Let the values before a tick be sent as soon as the agent reads."""
         self._tick, self._shown = tick, shown
         self._changed.set()
@@ -188,7 +188,7 @@ class _Client:
 
     def _queue(self, line: str) -> None:
         if len(self._lines) >= _MAX_WAITING:
-            self._host.log.refuse(_DOOR, self.name, "reads too slowly")
+            self._host.log.refuse(_ENDPOINT, self.name, "reads too slowly")
             self.abort()
             return
         self._lines.append(line)
@@ -243,10 +243,10 @@ class _Client:
                     late = NO_END
                     line += await asyncio.wait_for(reader.readline(), HEADER_S)
             except TimeoutError:
-                self._host.log.refuse(_DOOR, self.name, late)
+                self._host.log.refuse(_ENDPOINT, self.name, late)
                 return
             except ValueError:
-                self._host.log.refuse(_DOOR, self.name, "a line is too long")
+                self._host.log.refuse(_ENDPOINT, self.name, "a line is too long")
                 return
             if not line:
                 return
@@ -255,7 +255,7 @@ class _Client:
                 self._pinged = True
                 self._queue(f"* PONG {HEARTBEAT_MS}")
             elif words:
-                self._host.log.refuse(_DOOR, self.name, "an unknown command")
+                self._host.log.refuse(_ENDPOINT, self.name, "an unknown command")
                 await asyncio.sleep(0)  # the lines of one client do not hold up the others
 
     def leave(self) -> None:

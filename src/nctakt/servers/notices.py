@@ -85,7 +85,7 @@ class Notices:
         if subscription in self._subscriptions:
             self._subscriptions.remove(subscription)
 
-    def tell(self, notice: ServerNotice) -> None:
+    def notify(self, notice: ServerNotice) -> None:
         """Give all a notice."""
         for listener in tuple(self._listeners):
             try:

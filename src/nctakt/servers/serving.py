@@ -64,7 +64,7 @@ async def serve(
     sys.setswitchinterval(_SWITCH_S)
     host = await Host(session, machine, log, programs).open()
     end = EndSignal(host)
-    host.loop.set_exception_handler(lambda _, context: _tell_of_library(log, context))
+    host.loop.set_exception_handler(lambda _, context: _report_library_error(log, context))
     opened: list[tuple[str, Endpoint]] = []
     growing: asyncio.Task[None] | None = None
     try:
@@ -86,7 +86,7 @@ async def serve(
     finally:
         if growing is not None:
             growing.cancel()
-        host.notices.tell(ServerNotice("closing", host.store.tick, ""))
+        host.notices.notify(ServerNotice("closing", host.store.tick, ""))
         for name, endpoint in reversed(opened):
             try:
                 await asyncio.wait_for(endpoint.close(), CLOSING_S)
@@ -97,15 +97,15 @@ async def serve(
         answers = await _pauses(host)
         await host.close(answers=answers)
         lateness = {"late_slices": late, "worst_lateness_ms": round(worst_s * 1000, 3)}
-        log.tell_counts()
+        log.report_counts()
         refused = dict(sorted(log.refused.items()))
         log.note("closed", tick=session.tick, missed_frames=missed, **lateness, refused=refused)
     if not answers:
         raise Failure(diagnostic(CONTROLLER_SILENT, seconds=f"{PAUSING_S:g}"))
 
 
-def _tell_of_library(log: ServerLog, context: Mapping[str, Any]) -> None:
-    """Report an exception of a library that nobody awaits; the loop continues."""
+def _report_library_error(log: ServerLog, context: Mapping[str, Any]) -> None:
+    """Report an exception of a library in a task that is not awaited; the loop continues."""
     error = context.get("exception")
     text = error_text(error) if isinstance(error, Exception) else ""
     log.error("loop", reason=text or str(context.get("message", "")))

@@ -2,7 +2,7 @@
 """Fair shares: when all places are taken, the client with most makes room for one with less.
 
 In: how many places each client has. Out: whose oldest place goes, if any. A client that takes all
-of them keeps nobody out, and a client that has no more than the others loses nothing.
+of them keeps no one out, and a client that has no more than the others loses nothing.
 """
 
 from __future__ import annotations

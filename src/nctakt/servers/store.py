@@ -39,7 +39,7 @@ class Store:
         self.tick = 0
         self.frame: Frame | None = None
 
-    def take(self, frame: Frame) -> None:
+    def receive(self, frame: Frame) -> None:
         """Take a frame, and notify the listeners."""
         self.frame = frame
         self.tick = frame.tick
@@ -91,7 +91,7 @@ class Store:
                 self._held[name] = self._held.get(name, 0) + 1
 
     async def release(self, names: Iterable[str]) -> None:
-        """Unsubscribe values that nobody else holds, has subscribed or borrowed."""
+        """Unsubscribe values that no one else holds, has subscribed or borrowed."""
         async with self._lock:
             for name in names:
                 count = self._held.pop(name, 0) - 1

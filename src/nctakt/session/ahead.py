@@ -2,7 +2,7 @@
 """The future of a session without further inputs: a copy of its controller runs ahead.
 
 In: a copy at the end of its branch. Out: sampled signals and events of the ticks to come. The copy
-is discarded; its actions reach nobody else.
+is discarded; its actions have no effect elsewhere.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.results.trace.events import Event
 from nctakt.session.outline import outlined
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.session.stops import StopAt
 
 #: Ticks that a copy runs ahead at most.

@@ -27,7 +27,7 @@ from nctakt.session.history.branch import Branch
 from nctakt.session.history.comparing import BranchDifference
 from nctakt.session.history.past import Past
 from nctakt.session.history.timeline import Poll, Timeline
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt
 

@@ -17,7 +17,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.plc_debugging import NO_STRUCTURED_TEXT, PLC_HAS_STOPPED
 from nctakt.plc.stepping.shown import PlcValue
 from nctakt.session.history.timeline import Timeline
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import StopAt
 

@@ -234,7 +234,7 @@ class Engine:
         self._newest: dict[Span, int] = {}
         self._stops: Sequence[StopAt] = ()
         self._listed: list[int | str] = []
-        self._told_diagnostics = self._told_messages = 0
+        self._reported_diagnostics = self._reported_messages = 0
         plc = load_plcs(setup.plcs)
         for one in parts_of(plc)[0]:
             one.is_replayed = setup.is_replay
@@ -644,10 +644,10 @@ class Engine:
     ) -> StepResult:
         happened, left_out = self._happened.take() if events else ([], 0)
         inputs, self._inputs = self._inputs, []
-        messages = self._loop.recording.messages[self._told_messages :]
-        diagnostics = self._diagnostics[self._told_diagnostics :]
-        self._told_messages += len(messages)
-        self._told_diagnostics += len(diagnostics)
+        messages = self._loop.recording.messages[self._reported_messages :]
+        diagnostics = self._diagnostics[self._reported_diagnostics :]
+        self._reported_messages += len(messages)
+        self._reported_diagnostics += len(diagnostics)
         return StepResult(
             first,
             self.tick,

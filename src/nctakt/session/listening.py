@@ -104,7 +104,7 @@ class Listener:
             self._frame = frame
             self._changed.notify_all()
 
-    def tell(self, notice: Notice) -> None:
+    def notify(self, notice: Notice) -> None:
         """Give it a notice."""
         with self._changed:
             if len(self._notices) >= MAX_NOTICES:

@@ -59,7 +59,7 @@ def rest(
     if any(stop.kind in _OF_VALUES for stop in stops):
         return ()
     is_for_blocks = bool(stops) and all(stop.kind in _OF_PROGRAMS for stop in stops)
-    if not is_for_blocks and (_has_cycles(machine) or not machine.stands()):
+    if not is_for_blocks and (_has_cycles(machine) or not machine.has_stopped()):
         return ()
     found = []
     for index, channel in enumerate(loop.channels):

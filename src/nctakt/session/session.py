@@ -29,7 +29,6 @@ from nctakt.run.access.inputs import Input
 from nctakt.run.options import ProgramOptions, check_keywords, merged, with_keywords
 from nctakt.run.program_loader import NcText
 from nctakt.session.ahead import UNKNOWN, Future, run_ahead
-from nctakt.session.audience import Subscribers
 from nctakt.session.clock import AnyClock, FastClock, Pacing, WallClock
 from nctakt.session.core import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, SessionCore
 from nctakt.session.cursor import FAULT, Step
@@ -44,6 +43,7 @@ from nctakt.session.process.thread import SessionThread
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import StopAt
+from nctakt.session.subscribers import Subscribers
 from nctakt.session.tapes import read_setup, save_tape
 
 
@@ -130,7 +130,7 @@ class Session:
         self.description: Description = self._core.description
         has_schedule = setup.rtconf is not None
         self._pacing = Pacing(pace, self.description.cycle_time_us, has_schedule=has_schedule)
-        self._audience = Subscribers(self._core)
+        self._subscribers = Subscribers(self._core)
         self._thread = SessionThread(self._run_slice)
         self._ask, self.together = self._thread.ask, self._thread.together
 
@@ -145,7 +145,7 @@ class Session:
         end = clock.next_tick(time.monotonic())
         try:
             rests = isinstance(clock, FastClock) and clock.rests
-            done = self._core.run(end, events=self._audience.wants_events, rests=rests)
+            done = self._core.run(end, events=self._subscribers.wants_events, rests=rests)
             clock.note(done.tick - done.first_tick, self._core.took_s)
             is_at_end = bool(done.hits) or done.run_state is not None or done.is_resting
             if done.hits:
@@ -155,7 +155,7 @@ class Session:
             self._publish(done, at_once=is_at_end)
         except (Failure, RuntimeError) as error:
             self._thread.clock = None
-            self._audience.tell("refused", error_text(error), error_text(error, "de"))
+            self._subscribers.notify("refused", error_text(error), error_text(error, "de"))
 
     @property
     def tick(self) -> int:
@@ -253,7 +253,7 @@ class Session:
         while True:
             due = clock.next_tick(time.monotonic())
             is_last = end is not None and due >= end
-            events = is_last or self._audience.wants_events
+            events = is_last or self._subscribers.wants_events
             due = due if end is None else min(due, end)
             done = self._core.run(due, stops=stops, events=events, rests=rests)
             clock.note(done.tick - done.first_tick, self._core.took_s)
@@ -448,7 +448,7 @@ class Session:
         clock, self._thread.clock = self._thread.clock, None
         if clock is None:
             return self._core.latest
-        self._audience.give_rest()
+        self._subscribers.give_rest()
         return self._core.with_events()
 
     @property
@@ -515,7 +515,7 @@ class Session:
 
     def _input(self, method: Callable[..., bool], *words: Any) -> None:
         if method(*words):
-            self._audience.tell("branch", str(self._core.branch.number))
+            self._subscribers.notify("branch", str(self._core.branch.number))
 
     # --- looking --------------------------------------------------------------------------------
 
@@ -697,19 +697,19 @@ class Session:
 
     def attach(self, listener: Listener, signals: Sequence[str] = ()) -> None:
         """Let a listener hear these signals alone from now on, until ``detach``; see ``listen``."""
-        self._ask(self._audience.add, listener, self.speed, signals)
+        self._ask(self._subscribers.add, listener, self.speed, signals)
 
     def detach(self, listener: Listener) -> None:
         """Let a listener hear nothing more."""
         with contextlib.suppress(Failure):
-            self._ask(self._audience.remove, listener)
+            self._ask(self._subscribers.remove, listener)
 
     def _travelled(self, done: StepResult) -> StepResult:
-        self._audience.travel(done)
+        self._subscribers.travel(done)
         return done
 
     def _publish(self, done: StepResult, *, at_once: bool) -> None:
-        self._audience.publish(done, self.speed, at_once=at_once)
+        self._subscribers.publish(done, self.speed, at_once=at_once)
 
     # --- the end --------------------------------------------------------------------------------
 
@@ -721,7 +721,7 @@ class Session:
         """End the session and all its processes; a controller that does not answer is killed."""
         if not self._thread.is_closed:
             self._thread.close(self._core.abandon)
-            self._audience.tell("closed")
+            self._subscribers.notify("closed")
             self._pasts.close()
             self._core.close()
 

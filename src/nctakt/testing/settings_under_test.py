@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The settings of a pytest test, and the notes on machines that nobody named."""
+"""The settings of a pytest test, and the notes on machines that were chosen by default."""
 
 from __future__ import annotations
 

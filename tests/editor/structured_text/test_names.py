@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What an editor is told of names: explanations, places, other names, completion, signatures."""
+"""What an editor shows of names: explanations, places, other names, completion, signatures."""
 
 from __future__ import annotations
 

@@ -37,7 +37,7 @@ def modules(tmp_path_factory):
     return installed("node-opcua", tmp_path_factory.mktemp("npm"))
 
 
-def told(modules, *words):
+def reported(modules, *words):
     """Return what the client prints."""
     environment = {**os.environ, "NODE_PATH": str(modules)}
     command = ["node", "--security-revert=CVE-2023-46809", str(SCRIPT), *words]
@@ -67,7 +67,7 @@ def test_a_client_on_this_computer(modules, tmp_path):
     served = Served(tmp_path)
     try:
         served.session.play(1.0)
-        check(told(modules, served.url, str(tmp_path / "wrong.nc")))
+        check(reported(modules, served.url, str(tmp_path / "wrong.nc")))
     finally:
         served.close()
 
@@ -80,7 +80,7 @@ def test_a_client_from_elsewhere(modules, tmp_path):
         served.session.play(1.0)
         password = password_of(tmp_path / "opcua")
         url = served.url.replace("0.0.0.0", "127.0.0.1")
-        check(told(modules, url, str(tmp_path / "wrong.nc"), "operator", password))
+        check(reported(modules, url, str(tmp_path / "wrong.nc"), "operator", password))
     finally:
         served.close()
 

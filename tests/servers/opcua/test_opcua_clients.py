@@ -385,7 +385,7 @@ def test_the_past_of_a_signal_is_read(served):
     run(served, work)
 
 
-def test_limits_are_told(served):
+def test_limits_are_reported(served):
     """In ServerCapabilities; intervals and queues are revised to what there is."""
 
     async def work(client):

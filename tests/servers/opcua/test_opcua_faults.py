@@ -130,7 +130,7 @@ async def send(served, content):
 
 
 @pytest.mark.nightly
-def test_broken_messages_harm_nobody(served):
+def test_broken_messages_do_no_harm(served):
     """Truncated, flipped, random bytes; lengths up to 2^32."""
     conversation = hello(served) + open_channel()
     chance = random.Random(1)
@@ -178,7 +178,7 @@ def test_a_storm_of_connections_and_idle_ones(served):
     assert any("connections" in reason for reason in served.refusals())
 
 
-def test_limits_of_sessions_subscriptions_and_items_are_told(served):
+def test_limits_of_sessions_subscriptions_and_items_are_reported(served):
     """Each by its status; what is there already goes on."""
 
     async def work():
@@ -275,9 +275,9 @@ def test_who_has_become_silent_makes_room(served, monkeypatch):
 
 
 def test_a_newcomer_finds_a_subscription_where_others_hold_all(served):
-    """The oldest one of the client that has most goes, and that client is told."""
+    """The oldest one of the client that has most goes, and that client is informed."""
 
-    class Told:
+    class Reported:
         statuses: ClassVar[list] = []
 
         def status_change_notification(self, status):
@@ -290,13 +290,13 @@ def test_a_newcomer_finds_a_subscription_where_others_hold_all(served):
             for count in (3, 3, 3, 3, 2):
                 client = await stack.enter_async_context(connected(served))
                 for _ in range(count):
-                    await client.create_subscription(50, Told())
+                    await client.create_subscription(50, Reported())
             oldest = next(iter(held))
             newcomer = await stack.enter_async_context(connected(served))
-            await newcomer.create_subscription(50, Told())
+            await newcomer.create_subscription(50, Reported())
             assert len(held) == 14
             assert oldest not in held
-            await until(lambda: Told.statuses == ["BadTooManySubscriptions"])
+            await until(lambda: Reported.statuses == ["BadTooManySubscriptions"])
         await is_well(served)
 
     asyncio.run(work())
@@ -324,13 +324,17 @@ def test_who_asks_later_learns_that_a_subscription_has_ended(served):
             await newcomer.create_subscription(50, None)
             assert numbers[0] not in held
             assert set(numbers[1:]) <= held.keys()
-            told = {}
+            reported = {}
             for _ in numbers:
                 response = (await asking.publish([])).Parameters
-                told[response.SubscriptionId] = [
+                reported[response.SubscriptionId] = [
                     part.Status.name for part in response.NotificationMessage.NotificationData
                 ]
-            assert told == {numbers[0]: ["BadTooManySubscriptions"], numbers[1]: [], numbers[2]: []}
+            assert reported == {
+                numbers[0]: ["BadTooManySubscriptions"],
+                numbers[1]: [],
+                numbers[2]: [],
+            }
         await is_well(served)
 
     asyncio.run(work())
@@ -552,7 +556,7 @@ def test_values_cycles_and_channels_of_a_moment_are_of_one_tick(served, monkeypa
         found = state_view(*names)
         limit_s = time.monotonic() + 60
         while host.store.tick < found.tick + 5 and time.monotonic() < limit_s:
-            host.loop.call_soon_threadsafe(host.store.take, later(found.tick + 5))
+            host.loop.call_soon_threadsafe(host.store.receive, later(found.tick + 5))
             time.sleep(0.001)
         looks.append((found, names))
         return found
@@ -595,13 +599,13 @@ def test_wrong_passwords_lock_their_own_address_alone(tmp_path):
 
 def test_what_the_session_tells_is_german_for_german_clients():
     """Kind and particulars in both languages."""
-    told = [
+    reported = [
         notice_text(ServerNotice("ended", 1, "error")),
         notice_text(ServerNotice("stopped", 1, "V.E.COUNT > 3")),
         notice_text(ServerNotice("refused", 1, "no", text_de="nein")),
     ]
-    assert [one.en for one in told] == ["ended: error", "stopped: V.E.COUNT > 3", "refused: no"]
-    assert [one.de for one in told] == [
+    assert [one.en for one in reported] == ["ended: error", "stopped: V.E.COUNT > 3", "refused: no"]
+    assert [one.de for one in reported] == [
         "Ende: Fehler",
         "angehalten: V.E.COUNT > 3",
         "abgelehnt: nein",

@@ -247,10 +247,10 @@ def test_only_who_is_encrypted_trusted_and_named_comes_in(
 
     try:
         asyncio.run(work())
-        told = " ".join(served.refusals())
+        reported = " ".join(served.refusals())
         for reason in ("not encrypted", "another application's", "at this time", "another use"):
-            assert reason in told
-        assert "not trusted" in told
+            assert reason in reported
+        assert "not trusted" in reported
     finally:
         served.close()
 

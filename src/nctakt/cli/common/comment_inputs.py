@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from nctakt.testing.expectations import Script
 
 
-def tell_unused_inputs(options: Options, request: Request) -> None:
+def report_unused_inputs(options: Options, request: Request) -> None:
     """Show which values from comments the options do not give, unless asked to be quiet."""
     if not options.quiet:
         print_diagnostics(_unused_inputs(options, request), options.language)

@@ -136,10 +136,10 @@ def run_programs(
 
     ``is_drawn``: it records all that pictures show; ``further``: what the command itself wants.
     """
-    from nctakt.cli.common.comment_inputs import tell_unused_inputs  # noqa: PLC0415 - as below
+    from nctakt.cli.common.comment_inputs import report_unused_inputs  # noqa: PLC0415 - as below
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
 
-    tell_unused_inputs(options, request)
+    report_unused_inputs(options, request)
     bar = ProgressBar()
     given = request.options
 

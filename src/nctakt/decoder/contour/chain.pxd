@@ -64,11 +64,11 @@ cdef class Chain:
     cdef void leave_out(self, Py_ssize_t first, Py_ssize_t last) noexcept
     @cython.locals(at=Py_ssize_t, piece=Py_ssize_t)
     cdef void keep_loop(self, Py_ssize_t first, Py_ssize_t last) noexcept
-    @cython.locals(behind=Py_ssize_t, piece=Py_ssize_t)
+    @cython.locals(after=Py_ssize_t, piece=Py_ssize_t)
     cdef void forget_loop(self, Py_ssize_t first) noexcept
     cdef Py_ssize_t end_of_loop(self, Py_ssize_t piece) noexcept
     @cython.locals(
-        table=double[::1], end=Py_ssize_t, first=Py_ssize_t, before=Py_ssize_t, behind=Py_ssize_t,
+        table=double[::1], end=Py_ssize_t, first=Py_ssize_t, before=Py_ssize_t, after=Py_ssize_t,
         x=double, y=double, begin=Py_ssize_t, at=Py_ssize_t, piece=Py_ssize_t
     )
     cdef int restore_loop(self, Py_ssize_t crossed_piece, Py_ssize_t last) noexcept

@@ -283,10 +283,10 @@ class Chain:
 
     def forget_loop(self, first: int) -> None:
         """Leave out the loop at this row for good."""
-        behind = self.end_of_loop(first) + 1
-        for piece in range(behind, rows.ROOM + self.left_out_count):
-            self.copy(piece, first + piece - behind)
-        self.left_out_count -= behind - first
+        after = self.end_of_loop(first) + 1
+        for piece in range(after, rows.ROOM + self.left_out_count):
+            self.copy(piece, first + piece - after)
+        self.left_out_count -= after - first
 
     def end_of_loop(self, piece: int) -> int:
         """Row after the last piece of a loop."""
@@ -308,14 +308,14 @@ class Chain:
         ):
             first = before
             before -= 1
-        behind = last + end - first + 2
-        if behind > rows.FULL:
+        after = last + end - first + 2
+        if after > rows.FULL:
             return 0
         x = self.crossings.x
         y = self.crossings.y
-        self.copy(last, behind)
+        self.copy(last, after)
         pieces.cut_end(table, last * rows.PIECE_WIDTH, x, y)
-        pieces.cut_start(table, behind * rows.PIECE_WIDTH, x, y)
+        pieces.cut_start(table, after * rows.PIECE_WIDTH, x, y)
         begin = last + 1 if pieces.length(table, last * rows.PIECE_WIDTH) > 1e-9 else last
         piece = crossed_piece
         for at in range(begin, begin + end - first + 1):
@@ -325,7 +325,7 @@ class Chain:
         at = begin + end - first + 1
         pieces.cut_start(table, begin * rows.PIECE_WIDTH, x, y)
         pieces.cut_end(table, (at - 1) * rows.PIECE_WIDTH, x, y)
-        self.copy(behind, at)
+        self.copy(after, at)
         self.count = at + 1
         self.forget_loop(first)
         return 1

@@ -34,7 +34,7 @@ cdef class TransformedWay:
     cpdef limit(self, Py_ssize_t axis, double low, double high)
     @cython.locals(i=Py_ssize_t)
     cpdef start_at(self, list axes)
-    cpdef list standing(self)
+    cpdef list axes_at_end(self)
     @cython.locals(i=Py_ssize_t)
     cpdef int first_outside(self, list start, list target, list arc)
     @cython.locals(i=Py_ssize_t)

@@ -62,7 +62,7 @@ class TransformedWay:
         for i in range(self.count):
             self.newest[i] = axes[i]
 
-    def standing(self) -> list[float]:
+    def axes_at_end(self) -> list[float]:
         """Return where the axes are after the last block."""
         return list(self.newest)
 

@@ -79,7 +79,7 @@ class _Held:
     """A motion that contours, with the commands after it.
 
     ``form``: the curve at its end. ``used``: the length used by the curve at its start, mm.
-    ``is_compensated``: it is a piece of a compensated contour. ``standing``: the axes at its end
+    ``is_compensated``: it is a piece of a compensated contour. ``axes_at_end``: the axes at its end
     under a transformation, which bends their paths.
     """
 
@@ -88,7 +88,7 @@ class _Held:
     form: ContourForm
     used: float
     is_compensated: bool
-    standing: list[float] | None
+    axes_at_end: list[float] | None
     between: list[Command] = field(default_factory=list)
 
     @property
@@ -103,14 +103,14 @@ class _Held:
         one of a compensated contour.
         """
         has_arc = self.segment.arc is not None or segment.arc is not None
-        is_behind = self.form.action == POST_ACTION and not any(
+        is_after = self.form.action == POST_ACTION and not any(
             isinstance(command, AwaitAcknowledge | AwaitSpindle) for command in self.between
         )
         if not (
             self.form.is_own
-            or self.standing is not None
+            or self.axes_at_end is not None
             or (has_arc and not (self.segment.limits_jerk or self.is_compensated or is_compensated))
-            or (self.has_actions and not is_behind)
+            or (self.has_actions and not is_after)
         ):
             return False
         return all(isinstance(command, _WITHOUT_CONTOUR) for command in self.between)
@@ -235,8 +235,8 @@ class Contouring:
         self._pass_time(segment)
         form = self._state.path.contour.form(self._state.limits)
         transformation = self._environment.offsets.transformation
-        standing = transformation.axis_check.standing() if transformation.is_active else None
-        self._held = _Held(segment, self._path.span, form, used, is_compensated, standing)
+        axes_at_end = transformation.axis_check.axes_at_end() if transformation.is_active else None
+        self._held = _Held(segment, self._path.span, form, used, is_compensated, axes_at_end)
 
     def _contours(self, segment: Segment) -> bool:
         """Return whether the corner at the end of a motion may get a curve of here."""
@@ -313,7 +313,7 @@ class Contouring:
                 break
             halves = (0.8 * halves[0], 0.8 * halves[1])
         whole = [cubic for half in pieces for cubic in half]
-        self._path.check_curve(whole, held.span, held.standing, message=CURVE_OUTSIDE_LIMITS)
+        self._path.check_curve(whole, held.span, held.axes_at_end, message=CURVE_OUTSIDE_LIMITS)
         one, two = (self._motions(half, held.segment, segment) for half in pieces)
         two[-1] = replace(two[-1], continues_block=held.segment.continues_block)
         begin = replace(first, deviation=0.0, continues_block=True)
@@ -329,10 +329,10 @@ class Contouring:
 
     def _is_wanted(self, held: _Held, segment: Segment) -> bool:
         """Return whether a corner needs its curve, or is passed faster with it."""
-        if held.standing is None or held.form.is_own or held.has_actions:
+        if held.axes_at_end is None or held.form.is_own or held.has_actions:
             return True
         return transformed_corners.is_faster(
-            self._environment, held.segment, segment, self._linear, held.standing
+            self._environment, held.segment, segment, self._linear, held.axes_at_end
         )
 
     def _motions(self, half: list[cubics.Cubic], before: Segment, after: Segment) -> list[Segment]:

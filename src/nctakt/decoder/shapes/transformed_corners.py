@@ -30,18 +30,20 @@ def is_faster(
     before: Segment,
     after: Segment,
     linear: Sequence[int],
-    standing: Sequence[float],
+    axes_at_end: Sequence[float],
 ) -> bool:
     """Return whether a curve between two motions is faster than the corner.
 
-    ``linear``: the axes that are programmed in mm; ``standing``: positions of the axes at the
+    ``linear``: the axes that are programmed in mm; ``axes_at_end``: positions of the axes at the
     corner.
     """
     transformation = environment.offsets.transformation
 
     def axes_at(slope: Sequence[float], distance: float) -> list[float] | None:
         point = [begin + distance * part for begin, part in zip(after.start, slope, strict=True)]
-        axes, answer = transformation.mapped(transformation.number, point, standing, to_axes=True)
+        axes, answer = transformation.mapped(
+            transformation.number, point, axes_at_end, to_axes=True
+        )
         return axes if answer == map_rows.REACHED else None
 
     leaving = slope_of(before, linear, at_end=True)

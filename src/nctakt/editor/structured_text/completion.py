@@ -41,7 +41,7 @@ from nctakt.st.types import (
 from nctakt.st.vocabulary.elementary import ELEMENTARY
 from nctakt.st.vocabulary.functions import BUILT_INS
 
-#: Maximum number of items; more help nobody.
+#: Maximum number of items; a longer list is no help.
 MAX_ITEMS = 1500
 
 _STATEMENTS = (

@@ -93,7 +93,6 @@ cdef class SingleAxes(AxisMotions):
     cdef void reopen(self, Py_ssize_t axis) noexcept nogil
     cdef int clear_fault(self, Py_ssize_t axis) noexcept nogil
     cdef int is_free(self, Py_ssize_t axis) noexcept nogil
-    cdef int stands(self, Py_ssize_t axis) noexcept nogil
     cdef int is_held(self, Py_ssize_t axis) noexcept nogil
     @cython.locals(shown=int)
     cdef int state(self, Py_ssize_t axis) noexcept nogil

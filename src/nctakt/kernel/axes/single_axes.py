@@ -357,21 +357,21 @@ class SingleAxes(AxisMotions):
         return last_message
 
     def request_state(self, queue: memoryview[float], row: int) -> int:
-        """First state of an axis in a position request that is not ``codes.STANDS``."""
+        """First state other than ``codes.AXIS_STOPPED`` of an axis in a position request."""
         for i in range(int(queue[row + rows.POSITIONS_COUNT])):
             self.requested_axis = int(queue[row + rows.POSITIONS_AXES + i])
             state = self.state_for_request(self.requested_axis)
-            if state != codes.STANDS:
+            if state != codes.AXIS_STOPPED:
                 return state
-        return codes.STANDS
+        return codes.AXIS_STOPPED
 
     def state_for_request(self, axis: int) -> int:
-        """Return ``codes.STANDS`` … ``codes.IS_HELD`` (RC-409)."""
+        """Return ``codes.AXIS_STOPPED`` … ``codes.AXIS_HELD`` (RC-409)."""
         if self.held[axis]:
-            return codes.IS_HELD
+            return codes.AXIS_HELD
         if self.kind[axis] == codes.ENDLESS:
-            return codes.MOVES_ENDLESSLY
-        return codes.STANDS if self.is_free(axis) else codes.MOVES_STILL
+            return codes.AXIS_MOVES_ENDLESSLY
+        return codes.AXIS_STOPPED if self.is_free(axis) else codes.AXIS_MOVES
 
     def assign_to_channel(self, axis: int, channel: int = 1) -> None:
         """Assign this axis to a channel, from 1, which gets its errors and resets it; 0: none."""
@@ -413,12 +413,6 @@ class SingleAxes(AxisMotions):
     def is_free(self, axis: int) -> int:
         """Return whether the path may move the axis: no motion, none held, none braking (MO-13)."""
         return 1 if self.kind[axis] == codes.IDLE else 0
-
-    def stands(self, axis: int) -> int:
-        """Return whether the axis is at rest: without a motion, or held."""
-        if self.kind[axis] == codes.IDLE:
-            return 1
-        return 1 if self.held[axis] and self.plans.speed[axis] == 0.0 else 0
 
     def is_held(self, axis: int) -> int:
         """Return whether a motion of the axis is held."""

@@ -18,5 +18,5 @@ cdef class SpindleOverrides:
     cdef double commanded(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(other=Py_ssize_t)
     cdef Py_ssize_t next_changed(self, Py_ssize_t spindle) noexcept nogil
-    cdef int take(self, Py_ssize_t spindle) noexcept nogil
+    cdef int apply(self, Py_ssize_t spindle) noexcept nogil
     cdef double factor(self, Py_ssize_t spindle) noexcept nogil

@@ -55,7 +55,7 @@ class SpindleOverrides:
                 return other
         return -1
 
-    def take(self, spindle: int) -> int:
+    def apply(self, spindle: int) -> int:
         """Let the commanded override act; return whether it changes the speed."""
         self.acted_pct[spindle] = self.commanded(spindle)
         return 0 if self.is_ignored[spindle] else 1

@@ -110,7 +110,7 @@ cdef class Spindles:
     cdef void advance(self, Py_ssize_t spindle, long long tick) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
     cdef void publish(self, Py_ssize_t spindle) noexcept nogil
-    @cython.locals(is_there=bint, stands=bint, waits=bint)
+    @cython.locals(is_there=bint, is_at_rest=bint, waits=bint)
     cdef void arrive(self, Py_ssize_t spindle) noexcept nogil
     @cython.locals(number=Py_ssize_t, source=cython.longlong, serial=cython.longlong)
     cdef void finish(self, Py_ssize_t spindle) noexcept nogil

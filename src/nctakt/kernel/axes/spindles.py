@@ -131,7 +131,7 @@ class Spindles:
         if self.is_plc[spindle]:
             self.commanded_v[spindle] = speed_v
             return
-        if self.mode[spindle] == codes.STANDING:
+        if self.mode[spindle] == codes.SPINDLE_STOPPED:
             self.limits.take_over(spindle)
         self.overrides.begin(spindle, speed_v, ignores_override)
         self.commanded_v[spindle] = self.goal_v(spindle)
@@ -154,7 +154,7 @@ class Spindles:
 
     def follow_override(self, spindle: int, tick: int) -> None:
         """Continue the present job with another override."""
-        goes_on = self.mode[spindle] != codes.STANDING
+        goes_on = self.mode[spindle] != codes.SPINDLE_STOPPED
         goes_on = goes_on or self.is_open[spindle] != 0 or self.is_endless(spindle) != 0
         self.commanded_v[spindle] = self.goal_v(spindle)
         if self.function[spindle] != codes.SPINDLE_STOP and goes_on:
@@ -184,7 +184,7 @@ class Spindles:
 
     def plan(self, spindle: int, tick: int) -> None:
         """Plan from the present state of a spindle to the goal of its job."""
-        if self.mode[spindle] == codes.STANDING:
+        if self.mode[spindle] == codes.SPINDLE_STOPPED:
             self.active_count += 1
         else:
             self.count_laps(spindle, tick)
@@ -266,7 +266,7 @@ class Spindles:
 
     def uncouple(self, spindle: int) -> None:
         """Leave a coupled spindle to itself, where it is."""
-        self.mode[spindle] = codes.STANDING
+        self.mode[spindle] = codes.SPINDLE_STOPPED
         self.speed_v[spindle] = 0.0
         self.acceleration[spindle] = 0.0
         self.publish(spindle)
@@ -348,7 +348,7 @@ class Spindles:
         """Return whether the spindle is at rest and no job on its way turns it."""
         if self.speed_v[spindle] != 0.0 or self.plc_state[spindle]:
             return 0
-        return 1 if self.mode[spindle] == codes.STANDING else 0
+        return 1 if self.mode[spindle] == codes.SPINDLE_STOPPED else 0
 
     def has_plc(self, spindle: int) -> bool:
         """Return whether the PLC turns the spindle."""
@@ -399,7 +399,7 @@ class Spindles:
                 if self.is_held[spindle]:
                     self.is_held[spindle] = 0
                     self.function[spindle] = codes.SPINDLE_STOP
-                    if self.mode[spindle] == codes.STANDING:
+                    if self.mode[spindle] == codes.SPINDLE_STOPPED:
                         self.is_open[spindle] = 0
 
     # --- the tick -------------------------------------------------------------------------------
@@ -429,7 +429,7 @@ class Spindles:
         spindle = self.overrides.next_changed(0)
         while spindle >= 0:
             is_free = self.mode[spindle] != codes.COUPLED and self.limits.bound_a[spindle] == 0.0
-            if is_free and self.overrides.take(spindle):
+            if is_free and self.overrides.apply(spindle):
                 self.follow_override(spindle, tick)
             spindle = self.overrides.next_changed(spindle + 1)
         if self.cutting.active_count > 0:
@@ -464,13 +464,13 @@ class Spindles:
         """Settle a reached speed or position, bit by bit the commanded one."""
         self.acceleration[spindle] = 0.0
         is_there = self.mode[spindle] == codes.POSITIONING
-        stands = is_there or self.function[spindle] == codes.SPINDLE_STOP
+        is_at_rest = is_there or self.function[spindle] == codes.SPINDLE_STOP
         if is_there:
             self.position[spindle] = wrapped(self.commanded_position[spindle])
         waits = self.is_held[spindle] or self.rests(spindle)
-        if stands or waits or self.commanded_v[spindle] == 0.0:
+        if is_at_rest or waits or self.commanded_v[spindle] == 0.0:
             self.speed_v[spindle] = 0.0
-            self.mode[spindle] = codes.STANDING
+            self.mode[spindle] = codes.SPINDLE_STOPPED
             self.active_count -= 1
         else:
             self.speed_v[spindle] = self.commanded_v[spindle]
@@ -531,7 +531,7 @@ class Spindles:
             for spindle in range(self.count)
             if self.mode[spindle] == codes.POSITIONING
             or (
-                self.mode[spindle] not in (codes.STANDING, codes.COUPLED)
+                self.mode[spindle] not in (codes.SPINDLE_STOPPED, codes.COUPLED)
                 and (self.function[spindle] == codes.SPINDLE_STOP or self.is_held[spindle])
             )
         )

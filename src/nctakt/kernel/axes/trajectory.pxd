@@ -52,7 +52,7 @@ cdef class Trajectories:
         double limit_j
     ) noexcept nogil
     @cython.locals(
-        row=Py_ssize_t, phase=Py_ssize_t, last=Py_ssize_t, begin=Py_ssize_t, behind=Py_ssize_t,
+        row=Py_ssize_t, phase=Py_ssize_t, last=Py_ssize_t, begin=Py_ssize_t, next_begin=Py_ssize_t,
         since=double, speed_v=double, rise_a=double, jerk=double, half=double
     )
     cdef void evaluate(self, Py_ssize_t axis, double time_t) noexcept nogil

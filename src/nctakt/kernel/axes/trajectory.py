@@ -163,11 +163,11 @@ class Trajectories:
         phase = int(self.rows[row + plan_rows.PLAN_PHASE])
         last = int(self.rows[row + plan_rows.PLAN_LAST])
         begin = row + plan_rows.PLAN_PHASES + plan_rows.PHASE_WIDTH * phase
-        behind = begin + plan_rows.PHASE_WIDTH
-        while phase < last and time_t >= self.rows[behind + plan_rows.PHASE_TIME]:
+        next_begin = begin + plan_rows.PHASE_WIDTH
+        while phase < last and time_t >= self.rows[next_begin + plan_rows.PHASE_TIME]:
             phase += 1
-            begin = behind
-            behind += plan_rows.PHASE_WIDTH
+            begin = next_begin
+            next_begin += plan_rows.PHASE_WIDTH
         self.rows[row + plan_rows.PLAN_PHASE] = phase
         since = time_t - self.rows[begin + plan_rows.PHASE_TIME]
         speed_v = self.rows[begin + plan_rows.PHASE_SPEED]

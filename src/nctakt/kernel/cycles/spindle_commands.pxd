@@ -17,4 +17,4 @@ cdef class CommandSpindle(Counted):
     @cython.locals(speed=double, position=double)
     cdef int run(self, Context context) noexcept nogil
     @cython.locals(number=Py_ssize_t, open_count=cython.longlong)
-    cdef int take(self, Context context, double speed_v, double position) noexcept nogil
+    cdef int command_spindle(self, Context context, double speed_v, double position) noexcept nogil

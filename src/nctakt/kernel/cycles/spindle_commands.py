@@ -49,9 +49,9 @@ class CommandSpindle(Counted):
             context.fail(20007, self.source, 0.0, 0.0)
         if context.fault:
             return instructions.stop(self, context)
-        return self.take(context, 6.0 * speed, position)
+        return self.command_spindle(context, 6.0 * speed, position)
 
-    def take(self, context: Context, speed_v: float, position: float) -> int:
+    def command_spindle(self, context: Context, speed_v: float, position: float) -> int:
         """Give the job to the spindle, or report the message that refuses it."""
         if not context.spindles.is_ready(self.spindle, context.tick):
             number = context.spindles.first_number + self.spindle

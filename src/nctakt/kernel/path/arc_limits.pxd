@@ -33,13 +33,13 @@ cdef class ArcLimits:
         j=Py_ssize_t, even=double, keep=double, k=Py_ssize_t, cap=double, outer_v=double
     )
     cdef void open(self, double[::1] segments, Py_ssize_t row) noexcept nogil
-    @cython.locals(behind=Py_ssize_t, even=double)
+    @cython.locals(rest=Py_ssize_t, even=double)
     cdef double border(self, Py_ssize_t j) noexcept nogil
     @cython.locals(start=Py_ssize_t, target=Py_ssize_t, i=Py_ssize_t, distance=double, part=double)
     cdef void open_outer(
         self, double[::1] segments, Py_ssize_t row, Py_ssize_t first, Py_ssize_t second
     ) noexcept nogil
-    @cython.locals(behind=Py_ssize_t, used=double)
+    @cython.locals(end=Py_ssize_t, used=double)
     cdef double used_share(self, double[::1] segments, Py_ssize_t row, Py_ssize_t k) noexcept nogil
     @cython.locals(cap=double, part=double, speed=double)
     cdef double cap_at(
@@ -61,7 +61,7 @@ cdef class ArcLimits:
     ) noexcept nogil
     @cython.locals(k=Py_ssize_t)
     cdef double entry_v2(self, double speed2) noexcept nogil
-    @cython.locals(behind=Py_ssize_t, width=double)
+    @cython.locals(end=Py_ssize_t, width=double)
     cdef double before(self, Py_ssize_t k, double speed2) noexcept nogil
     cdef double entry_speed(self, double end_v, double limit_v) noexcept nogil
     @cython.locals(cap=double, k=Py_ssize_t)

@@ -116,12 +116,12 @@ class ArcLimits:
 
     def border(self, j: int) -> float:
         """Share of the arc before a border; the pieces at both ends grow evenly."""
-        behind = self.pieces - j
+        rest = self.pieces - j
         even = self.pieces - rows.MORE_PIECES
         if j < 4:
             return j * j / (16.0 * even)
-        if behind < 4:
-            return 1.0 - behind * behind / (16.0 * even)
+        if rest < 4:
+            return 1.0 - rest * rest / (16.0 * even)
         return (j - 3) / even
 
     def open_outer(self, segments: memoryview[float], row: int, first: int, second: int) -> None:
@@ -141,11 +141,11 @@ class ArcLimits:
 
     def used_share(self, segments: memoryview[float], row: int, k: int) -> float:
         """Share of the acceleration that corners at the arc's ends use on a piece."""
-        behind = k + 1
+        end = k + 1
         used = segments[row + rows.ARC_SHARE]
         if self.ends[k] < segments[row + rows.ENTRY_LENGTH]:
             used = max(used, segments[row + rows.ARC_ENTRY_SHARE])
-        if self.ends[behind] > segments[row + rows.LENGTH] - segments[row + rows.EXIT_LENGTH]:
+        if self.ends[end] > segments[row + rows.LENGTH] - segments[row + rows.EXIT_LENGTH]:
             used = max(used, segments[row + rows.ARC_EXIT_SHARE])
         return used
 
@@ -218,8 +218,8 @@ class ArcLimits:
 
     def before(self, k: int, speed2: float) -> float:
         """Square of the highest speed at a piece's start, from that at its end."""
-        behind = k + 1
-        width = 2.0 * (self.ends[behind] - self.ends[k])
+        end = k + 1
+        width = 2.0 * (self.ends[end] - self.ends[k])
         speed2 = min(speed2, self.caps[k])
         speed2 += width * self.rate(k, speed2, width, -1.0)
         return min(speed2, self.caps[k])

@@ -285,7 +285,7 @@ class BackwardMotion(History):
     def first_stage(self, row: int) -> int:
         """First stage of a segment in the direction of the walk."""
         is_backward = self.path.direction < 0
-        return self.next_stage(row, codes.BEHIND_STAGES if is_backward else codes.BEFORE_STAGES)
+        return self.next_stage(row, codes.AFTER_STAGES if is_backward else codes.BEFORE_STAGES)
 
     def next_stage(self, row: int, stage: int) -> int:
         """Next stage with a length in the walk's direction; ``BEFORE_STAGES`` without one.
@@ -333,7 +333,7 @@ class BackwardMotion(History):
         if self.path.history_rows[self.path.row + rows.JERK] > 0.0:
             return geometry.total_length(self.path.history_rows, self.path.row)
         length = 0.0
-        for i in range(codes.BEHIND_STAGES):
+        for i in range(codes.AFTER_STAGES):
             length += geometry.stage_length(self.path.history_rows, self.path.row, i)
         return length
 
@@ -391,7 +391,7 @@ class BackwardMotion(History):
         if self.path.direction > 0:
             return self.path.refusal(row, self.path.history_rows)
         end = geometry.end_column(self.path.history_rows, row, self.path.count)
-        self.path.stand(row, self.path.history_rows, end)
+        self.path.map_to_axes(row, self.path.history_rows, end)
         for i in range(self.path.count):
             if self.path.moves_axis(self.path.history_rows, row, i):
                 axis = self.path.members[i]

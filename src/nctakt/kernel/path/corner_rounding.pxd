@@ -34,7 +34,7 @@ cdef class CornerRounding:
         self, double[::1] segments, Py_ssize_t before, Py_ssize_t row, double half
     ) noexcept nogil
     @cython.locals(
-        limit_a=double, limit_j=double, top_v=double, room=double, time=double, stand_t=double,
+        limit_a=double, limit_j=double, top_v=double, room=double, time=double, stop_t=double,
         rounding_t=double
     )
     cdef int saves_time(

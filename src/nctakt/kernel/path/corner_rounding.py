@@ -133,10 +133,10 @@ class CornerRounding:
             time = self.ramp_time(top_v, limit_a, limit_j)
         if top_v <= speed:
             return 1
-        stand_t = 0.5 * time
+        stop_t = 0.5 * time
         time = self.ramp_time(top_v - speed, limit_a, limit_j)
         rounding_t = 0.5 * time * (top_v - speed) / top_v + half / speed - half / top_v
-        return 1 if rounding_t < stand_t else 0
+        return 1 if rounding_t < stop_t else 0
 
     def ramp_time(self, change: float, limit_a: float, limit_j: float) -> float:
         """Time in s of a change of speed, from no acceleration to none."""
@@ -201,6 +201,6 @@ class CornerRounding:
         segments[before + rows.ROUNDING_LENGTH] = rounding[rows.LENGTH]
         segments[before + rows.ROUNDING_ACCELERATION] = rounding[rows.ACCELERATION]
         segments[before + rows.ROUNDING_JERK] = rounding[rows.JERK]
-        self.limits.stand_at_end(segments, before)
-        self.limits.stand_at_end(rounding, 0)
+        self.limits.stop_at_end(segments, before)
+        self.limits.stop_at_end(rounding, 0)
         self.corner.is_rounded = True

@@ -32,13 +32,13 @@ cdef void locate(
 ) noexcept nogil
 @cython.locals(
     start=Py_ssize_t, target=Py_ssize_t, curve_end=Py_ssize_t, half=double, length=double,
-    part=double, i=Py_ssize_t, corner=double, before=double, behind=double
+    part=double, i=Py_ssize_t, corner=double, before=double, after=double
 )
 cdef void locate_on_curve(
     double[::1] segments, Py_ssize_t row, Py_ssize_t count, double distance, double[::1] positions
 ) noexcept nogil
 @cython.locals(
-    start=Py_ssize_t, target=Py_ssize_t, corners=Py_ssize_t, part=double, is_behind=bint,
+    start=Py_ssize_t, target=Py_ssize_t, corners=Py_ssize_t, part=double, is_far_half=bint,
     off=double, i=Py_ssize_t, near=double, far=double, corner=double
 )
 cdef void locate_on_rounding(

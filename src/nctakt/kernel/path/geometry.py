@@ -156,8 +156,8 @@ def locate_on_curve(
     for i in range(count):
         corner = segments[target + i]
         before = (segments[start + i] - corner) * half / length
-        behind = segments[curve_end + i] - corner
-        positions[i] = corner + (1.0 - part) * (1.0 - part) * before + part * part * behind
+        after = segments[curve_end + i] - corner
+        positions[i] = corner + (1.0 - part) * (1.0 - part) * before + part * part * after
 
 
 def locate_on_rounding(
@@ -168,14 +168,14 @@ def locate_on_rounding(
     target = start + count
     corners = target + count + count
     part = distance / segments[row + rows.LENGTH]
-    is_behind = part > 0.5
-    if is_behind:
+    is_far_half = part > 0.5
+    if is_far_half:
         part = 1.0 - part
     off = part * part * part * 1.3333333333333333
     for i in range(count):
         near = segments[start + i]
         far = segments[target + i]
-        if is_behind:
+        if is_far_half:
             far = near
             near = segments[target + i]
         corner = segments[corners + i]

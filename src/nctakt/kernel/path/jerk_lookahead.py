@@ -120,7 +120,7 @@ class JerkLookAhead:
         has less acceleration or jerk by now.
         """
         row = number % self.capacity * self.width
-        self.limits.stand_at_end(segments, row)
+        self.limits.stop_at_end(segments, row)
         is_less = 0
         passed = 0
         while segments[row + rows.PREDECESSOR] > 0.0:

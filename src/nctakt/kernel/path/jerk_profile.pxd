@@ -15,7 +15,7 @@ cdef class JerkProfile:
     cdef double left_t
     cdef double rest_d
     cdef bint ends_in_time
-    cdef bint stands_at_end
+    cdef bint stops_at_end
     cdef double own_j
 
     cdef void begin(self) noexcept nogil
@@ -30,7 +30,7 @@ cdef class JerkProfile:
     @cython.locals(stop_d=double)
     cdef int can_stop(self, double speed_v, double limit_a, double limit_j) noexcept nogil
     @cython.locals(is_met=int)
-    cdef void stand_at_end(
+    cdef void stop_at_end(
         self, double speed_v, double limit_v, double limit_a, double limit_j
     ) noexcept nogil
     @cython.locals(low_v=double, high_v=double, sign=double, _attempt=int)

@@ -30,12 +30,12 @@ class JerkProfile:
         self.left_t = 0.0
         self.rest_d = 0.0
         self.ends_in_time = False
-        self.stands_at_end = False
+        self.stops_at_end = False
         self.own_j = 0.0
 
     def begin(self) -> None:
         """Begin another segment."""
-        self.stands_at_end = False
+        self.stops_at_end = False
 
     def plan(
         self,
@@ -68,9 +68,9 @@ class JerkProfile:
                 self.head_for(0.0, 0.0, speed_v, 0.0, limit_a, limit_j)
             return
         if is_single:
-            self.stands_at_end = self.can_stop(speed_v, limit_a, limit_j) > 0
-            if self.stands_at_end:
-                self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
+            self.stops_at_end = self.can_stop(speed_v, limit_a, limit_j) > 0
+            if self.stops_at_end:
+                self.stop_at_end(speed_v, limit_v, limit_a, limit_j)
                 return
         goal_d = segments[row + rows.GOAL_LENGTH]
         goal_v = segments[row + rows.GOAL_SPEED]
@@ -81,9 +81,9 @@ class JerkProfile:
         goal_j = min(limit_j, segments[row + rows.GOAL_JERK])
         is_met = self.head_for(rest_d + goal_d, goal_v, speed_v, limit_v, goal_a, goal_j)
         self.ends_in_time = is_met > 0 and goal_d == 0.0
-        self.stands_at_end = self.stands_at_end and not is_met
-        if self.stands_at_end:
-            self.stand_at_end(speed_v, limit_v, limit_a, limit_j)
+        self.stops_at_end = self.stops_at_end and not is_met
+        if self.stops_at_end:
+            self.stop_at_end(speed_v, limit_v, limit_a, limit_j)
         elif settles and not is_met:
             self.fade_by_end(goal_v, speed_v, limit_a, limit_j)
 
@@ -96,7 +96,7 @@ class JerkProfile:
         stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
         return 1 if stop_d <= self.rest_d + 1e-10 else 0
 
-    def stand_at_end(self, speed_v: float, limit_v: float, limit_a: float, limit_j: float) -> None:
+    def stop_at_end(self, speed_v: float, limit_v: float, limit_a: float, limit_j: float) -> None:
         """Plan to stop at the segment's end."""
         is_met = self.head_for(self.rest_d, 0.0, speed_v, limit_v, limit_a, limit_j)
         self.ends_in_time = is_met > 0

@@ -82,7 +82,7 @@ cdef class Path(PathAxes):
     @cython.locals(end_v=double, remaining_v=double, stop_v=double, brake2=double, max_end_v=double)
     cdef double block_end_speed(self, double rest_d, double limit_a) noexcept nogil
     @cython.locals(rest_d=double, speed_v=double, limit_a=double, limit_j=double, need_d=double)
-    cdef int stands_in_single_block(self, double limit_v) noexcept nogil
+    cdef int stops_in_single_block(self, double limit_v) noexcept nogil
     @cython.locals(now_t=double, is_over=int)
     cdef int advance_with_jerk(self) noexcept nogil
     @cython.locals(now_t=double, over_t=double)
@@ -92,7 +92,7 @@ cdef class Path(PathAxes):
     cdef void move_axes(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, axis=Py_ssize_t)
     cdef void abandon(self) noexcept nogil
-    cdef int is_standing(self) noexcept nogil
+    cdef int is_at_rest(self) noexcept nogil
     cdef double distance_to_go(self) noexcept nogil
     cdef double promised_speed(self, Py_ssize_t column) noexcept nogil
     cdef double block_number(self) noexcept nogil

@@ -291,7 +291,7 @@ class Path(PathAxes):
                 self.factor_ahead(
                     self.history_rows[self.row + rows.GOAL_KIND] == rows.EXEMPT_FEED_GOAL
                 ),
-                self.is_single and self.stands_in_single_block(limit_v),
+                self.is_single and self.stops_in_single_block(limit_v),
             )
             return
         rest_d = self.stage_end_d - self.covered_d
@@ -366,7 +366,7 @@ class Path(PathAxes):
                 end_v = min(end_v, remaining_v)
         return end_v
 
-    def stands_in_single_block(self, limit_v: float) -> int:
+    def stops_in_single_block(self, limit_v: float) -> int:
         """Return whether single block stops at the segment's end with limited jerk.
 
         If the block continues, it does so only if it could not stop at the block's end.
@@ -450,13 +450,13 @@ class Path(PathAxes):
         self.axes.has_moved = True
         self.axes.publish()
 
-    def is_standing(self) -> int:
+    def is_at_rest(self) -> int:
         """Return whether nothing moves on the path."""
         return 1 if self.speed_v == 0.0 and (not self.is_active or self.limit_v == 0.0) else 0
 
     def has_stopped(self) -> bool:
         """Return whether nothing moves on the path."""
-        return bool(self.is_standing())
+        return bool(self.is_at_rest())
 
     def distance_to_go(self) -> float:
         """Remaining length of the current segment and its rounding, in mm."""

@@ -24,7 +24,7 @@ cdef class PathAxes:
     cdef Py_ssize_t slot
     cdef double[::1] unmapped
     cdef double[::1] near
-    cdef double[::1] standing
+    cdef double[::1] mapped
 
     cdef int is_place_free(self, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t)
@@ -40,7 +40,7 @@ cdef class PathAxes:
     cdef int obstacle(self, Py_ssize_t queue_row, double[::1] queue, Py_ssize_t i) noexcept nogil
     cdef int moves_axis(self, double[::1] segments, Py_ssize_t row, Py_ssize_t i) noexcept nogil
     @cython.locals(i=Py_ssize_t, number=Py_ssize_t)
-    cdef void stand(
+    cdef void map_to_axes(
         self, Py_ssize_t row, double[::1] segments, Py_ssize_t column
     ) noexcept nogil
     @cython.locals(command=double, distance=double)
@@ -49,13 +49,13 @@ cdef class PathAxes:
     ) noexcept nogil
     cdef void put_transformed(self, double[::1] positions) noexcept nogil
     @cython.locals(i=Py_ssize_t, number=Py_ssize_t)
-    cdef void stand_at(self, double[::1] positions) noexcept nogil
+    cdef void map_positions(self, double[::1] positions) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void to_axes(self, double[::1] positions) noexcept nogil
     @cython.locals(continues=int, i=Py_ssize_t, distance=double)
     cdef int continues_from(self, double[::1] ends) noexcept nogil
     @cython.locals(k=Py_ssize_t, i=Py_ssize_t)
-    cdef void put_standing(self) noexcept nogil
+    cdef void put_mapped(self) noexcept nogil
     @cython.locals(k=Py_ssize_t, i=Py_ssize_t, end=Py_ssize_t)
     cdef void aim(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)

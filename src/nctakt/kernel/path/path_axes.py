@@ -16,7 +16,7 @@ class PathAxes:
     The axis at index i of ``members`` is the one at place i of the channel; the number after the
     last axis of the machine marks an empty place. ``room``: how many places there can be.
 
-    ``maps``: the transformations; ``standing``: the axes at one end of a transformed segment.
+    ``maps``: the transformations; ``mapped``: the axes at one end of a transformed segment.
     ``row``: where the row of the current segment begins in ``history_rows``; ``direction``: 1
     forward over it, -1 backward. ``moved``: the axes that the path has. ``shown_…``: the state for
     which the overrides were last published, no version if a realtime cycle had set one.
@@ -41,7 +41,7 @@ class PathAxes:
         self.slot = members[0] if members else 0
         self.unmapped = doubles(self.room)
         self.near = doubles(self.room)
-        self.standing = doubles(self.room)
+        self.mapped = doubles(self.room)
         self.row = 0
         self.direction = 1
 
@@ -99,7 +99,7 @@ class PathAxes:
         The axes that it moves must be where it starts, since the path never jumps (RC-409), and
         must not move independently (MO-13); ``refused_axis`` is the first that fails this.
         """
-        self.stand(queue_row, queue, queue_row + rows.START)
+        self.map_to_axes(queue_row, queue, queue_row + rows.START)
         for i in range(self.count):
             message = self.obstacle(queue_row, queue, i)
             if message:
@@ -122,23 +122,23 @@ class PathAxes:
                 return 1
         return geometry.moves_axis(segments, row, self.count, i)
 
-    def stand(self, row: int, segments: memoryview[float], column: int) -> None:
-        """Put the axes at the positions at ``column`` of a transformed segment in ``standing``."""
+    def map_to_axes(self, row: int, segments: memoryview[float], column: int) -> None:
+        """Put the axes at the positions at ``column`` of a transformed segment in ``mapped``."""
         if segments[row + rows.TRANSFORMATION] > 0.0:
             for i in range(self.count):
                 self.unmapped[i] = segments[column + i]
                 self.near[i] = self.axes.command[self.members[i]]
             number = int(segments[row + rows.TRANSFORMATION])
-            self.maps.inverse(number, self.unmapped, self.near, self.standing)
+            self.maps.inverse(number, self.unmapped, self.near, self.mapped)
 
     def is_there(self, segments: memoryview[float], row: int, column: int, i: int) -> int:
         """Return whether axis ``i`` is at its position at ``column``.
 
-        Transformed to within a millionth of a micrometre (``standing``), the rounding error.
+        Transformed to within a millionth of a micrometre (``mapped``), the rounding error.
         """
         command = self.axes.command[self.members[i]]
         if segments[row + rows.TRANSFORMATION] > 0.0:
-            distance = self.standing[i] - command
+            distance = self.mapped[i] - command
             return 1 if -1e-9 < distance < 1e-9 else 0
         return 1 if segments[column + i] == command else 0
 
@@ -148,7 +148,7 @@ class PathAxes:
         If the path brakes on a segment that it cannot execute, the other targets are unchanged.
         """
         self.moved_count = 0
-        self.stand(self.row, self.history_rows, self.row + rows.START)
+        self.map_to_axes(self.row, self.history_rows, self.row + rows.START)
         for i in range(self.count):
             if self.obstacle(self.row, self.history_rows, i) == 0:
                 self.claim_axis(i)
@@ -170,7 +170,7 @@ class PathAxes:
         """Claim the axes whose position is the one at ``column``, for backward motion (MO-7)."""
         self.moved_count = 0
         self.show_map(int(self.history_rows[self.row + rows.SHOWN_TRANSFORMATION]))
-        self.stand(self.row, self.history_rows, column)
+        self.map_to_axes(self.row, self.history_rows, column)
         for i in range(self.count):
             if not self.axes.independent[self.members[i]]:
                 if self.is_there(self.history_rows, self.row, column, i):
@@ -235,8 +235,8 @@ class PathAxes:
         """Put the axes that the segment moves to the positions at ``column``."""
         self.axes.has_moved = True
         if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
-            self.stand(self.row, self.history_rows, column)
-            self.put_standing()
+            self.map_to_axes(self.row, self.history_rows, column)
+            self.put_mapped()
             return
         for k in range(self.moved_count):
             i = self.moved[k]
@@ -244,22 +244,22 @@ class PathAxes:
 
     def put_transformed(self, positions: memoryview[float]) -> None:
         """Put the axes that the segment moves where its map has them for ``positions``."""
-        self.stand_at(positions)
-        self.put_standing()
+        self.map_positions(positions)
+        self.put_mapped()
 
-    def stand_at(self, positions: memoryview[float]) -> None:
-        """Put the positions of the axes for those of a transformed segment into ``standing``."""
+    def map_positions(self, positions: memoryview[float]) -> None:
+        """Put the positions of the axes for those of a transformed segment into ``mapped``."""
         for i in range(self.count):
             self.near[i] = self.axes.command[self.members[i]]
         number = int(self.history_rows[self.row + rows.TRANSFORMATION])
-        self.maps.inverse(number, positions, self.near, self.standing)
+        self.maps.inverse(number, positions, self.near, self.mapped)
 
     def to_axes(self, positions: memoryview[float]) -> None:
         """Replace positions of the current segment by those of the axes."""
         if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
-            self.stand_at(positions)
+            self.map_positions(positions)
             for i in range(self.count):
-                positions[i] = self.standing[i]
+                positions[i] = self.mapped[i]
 
     def continues_from(self, ends: memoryview[float]) -> int:
         """Return whether a transformed segment starts where the axes were at the last end.
@@ -267,27 +267,27 @@ class PathAxes:
         ``ends`` are those of this segment then.
         """
         continues = 1
-        self.stand(self.row, self.history_rows, self.row + rows.START)
+        self.map_to_axes(self.row, self.history_rows, self.row + rows.START)
         for i in range(self.count):
-            distance = self.standing[i] - ends[i]
+            distance = self.mapped[i] - ends[i]
             if distance > 1e-9 or distance < -1e-9:
                 continues = 0
-        self.stand(self.row, self.history_rows, self.row + rows.START + self.count)
+        self.map_to_axes(self.row, self.history_rows, self.row + rows.START + self.count)
         for i in range(self.count):
-            ends[i] = self.standing[i]
+            ends[i] = self.mapped[i]
         return continues
 
-    def put_standing(self) -> None:
-        """Put the axes that the segment moves to the positions in ``standing``."""
+    def put_mapped(self) -> None:
+        """Put the axes that the segment moves to the positions in ``mapped``."""
         for k in range(self.moved_count):
             i = self.moved[k]
-            self.axes.command[self.members[i]] = self.standing[i]
+            self.axes.command[self.members[i]] = self.mapped[i]
 
     def aim(self) -> None:
         """Make the end of a transformed segment the target of the axes that it moves."""
         if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
             end = self.row + rows.START + (self.count if self.direction > 0 else 0)
-            self.stand(self.row, self.history_rows, end)
+            self.map_to_axes(self.row, self.history_rows, end)
             for k in range(self.moved_count):
                 i = self.moved[k]
-                self.axes.target[self.members[i]] = self.standing[i]
+                self.axes.target[self.members[i]] = self.mapped[i]

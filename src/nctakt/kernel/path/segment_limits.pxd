@@ -85,7 +85,7 @@ cdef class SegmentLimits:
     cdef void limit_jerk_on_arc(
         self, double[::1] segments, Py_ssize_t row, double[::1] shares, double[::1] turns
     ) noexcept nogil
-    cdef void stand_at_end(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    cdef void stop_at_end(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
         start=Py_ssize_t, target=Py_ssize_t, linear2=double, rotary2=double, i=Py_ssize_t,
         distance=double

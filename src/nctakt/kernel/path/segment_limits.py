@@ -224,7 +224,7 @@ class SegmentLimits:
             segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
         if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
             self.has_jerk_limit = True
-            self.stand_at_end(segments, row)
+            self.stop_at_end(segments, row)
         return share
 
     def limit_tap(self, segments: memoryview[float], row: int) -> None:
@@ -243,7 +243,7 @@ class SegmentLimits:
         if segments[row + rows.JERK] > 0.0:
             if limit_j > 0.0:
                 segments[row + rows.JERK] = min(segments[row + rows.JERK], limit_j)
-            self.stand_at_end(segments, row)
+            self.stop_at_end(segments, row)
 
     def limit_jerk(self, segments: memoryview[float], row: int) -> None:
         """Limit the jerk of a line, or of all that an arc takes."""
@@ -262,7 +262,7 @@ class SegmentLimits:
         segments[row + rows.JERK] = limit_j
         if segments[row + rows.SHAPE] == rows.ARC:
             self.limit_jerk_on_arc(segments, row, self.unused, self.unused)
-        self.stand_at_end(segments, row)
+        self.stop_at_end(segments, row)
 
     def limit_jerk_on_arc(
         self,
@@ -315,7 +315,7 @@ class SegmentLimits:
                 ramp_a *= 0.7
             speed *= 0.88
 
-    def stand_at_end(self, segments: memoryview[float], row: int) -> None:
+    def stop_at_end(self, segments: memoryview[float], row: int) -> None:
         """Let a segment end at a standstill."""
         segments[row + rows.GOAL_LENGTH] = 0.0
         segments[row + rows.GOAL_SPEED] = 0.0

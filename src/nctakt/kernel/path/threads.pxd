@@ -68,7 +68,7 @@ cdef class Threads:
     @cython.locals(off=double)
     cdef void couple(self, double angle, double turn) noexcept nogil
     cdef void uncouple(self) noexcept nogil
-    cdef int stands_before(self, double thread) noexcept nogil
+    cdef int is_at_rest_before(self, double thread) noexcept nogil
     @cython.locals(fault=int)
     cdef int take_fault(self) noexcept nogil
     cdef Py_ssize_t spindle_number(self) noexcept nogil

@@ -188,7 +188,7 @@ class Threads:
 
     def follow_spindle(self) -> int:
         """Put the path where the angle at the end of the tick says; return 0 to brake instead."""
-        if self.spindles.mode[self.spindle] == codes.STANDING:
+        if self.spindles.mode[self.spindle] == codes.SPINDLE_STOPPED:
             angle = 360.0 * self.spindles.laps[self.spindle] + self.spindles.position[self.spindle]
             self.angle = angle - self.turn * self.path.covered_d
             self.path.speed_v = 0.0
@@ -290,7 +290,7 @@ class Threads:
                 self.spindles.uncouple(self.spindle)
             self.state = codes.WITHOUT_THREAD
 
-    def stands_before(self, thread: float) -> int:
+    def is_at_rest_before(self, thread: float) -> int:
         """Return whether the path is at rest between a thread and the segment that follows.
 
         The next tick decides when it continues; ``thread``: that of the segment.

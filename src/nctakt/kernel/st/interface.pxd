@@ -14,7 +14,7 @@ cdef class CncSide:
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef void follow(self, long long tick) noexcept nogil
     cdef void show(self, long long tick) noexcept nogil
-    cdef int take(self) noexcept nogil
+    cdef int read_commands(self) noexcept nogil
     cdef void leave(self) noexcept nogil
 
 @cython.final
@@ -69,7 +69,7 @@ cdef class ControlUnits:
     @cython.locals(
         i=Py_ssize_t, is_set=cython.longlong, number=cython.longlong, decides=cython.bint
     )
-    cdef void take(self) noexcept nogil
+    cdef void read_commands(self) noexcept nogil
 
 @cython.final
 cdef class ChannelRecords:
@@ -88,7 +88,7 @@ cdef class ChannelRecords:
     @cython.locals(state=double, is_held=cython.bint, is_armed=cython.bint)
     cdef int state_of(self, Py_ssize_t record) noexcept nogil
     @cython.locals(is_commanded=int, i=Py_ssize_t, at=cython.longlong)
-    cdef int take(self) noexcept nogil
+    cdef int read_commands(self) noexcept nogil
     @cython.locals(enable=cython.longlong)
     cdef int is_commanded(self, Py_ssize_t record) noexcept nogil
 
@@ -102,7 +102,7 @@ cdef class AxisReleases:
     @cython.locals(at=cython.longlong)
     cdef int flag(self, Py_ssize_t row, Py_ssize_t what) noexcept nogil
     @cython.locals(i=Py_ssize_t, k=Py_ssize_t, is_locked=int, axis=Py_ssize_t)
-    cdef void take(self) noexcept nogil
+    cdef void read_commands(self) noexcept nogil
 
 cdef class CncInterface(CncSide):
     cdef ShownValues values
@@ -126,6 +126,6 @@ cdef class CncInterface(CncSide):
     cdef void follow(self, long long tick) noexcept nogil
     cdef void show(self, long long tick) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef int take(self) noexcept nogil
+    cdef int read_commands(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void leave(self) noexcept nogil

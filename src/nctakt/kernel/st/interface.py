@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The interface between CNC and PLC in a PLC's own memory (ST-761 … ST-764).
 
-Before the tasks of a tick run, ``show`` writes what the CNC shows; after them ``take`` reads the
-PLC's commands, which ``latch`` and ``guard`` put into force at the start of the next tick (RC-002).
-Tables map bytes to cells of the machine.
+Before the tasks of a tick run, ``show`` writes the state of the CNC; after them ``read_commands``
+reads the PLC's commands, which ``latch`` and ``guard`` put into force at the start of the next tick
+(RC-002). Tables map bytes to cells of the machine.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class CncSide:
     def show(self, tick: int) -> None:
         """Write what the CNC shows, before the tasks of a tick run."""
 
-    def take(self) -> int:
+    def read_commands(self) -> int:
         """Read the PLC's commands; return whether Python has something to do for them."""
         return 0
 
@@ -220,7 +220,7 @@ class ControlUnits:
             if self.is_edge[i]:
                 self.wish[i] = 0.0
 
-    def take(self) -> None:
+    def read_commands(self) -> None:
         """Look at the commands after the PLC's tasks."""
         for i in range(self.count):
             is_set = words.load(self.values.memory, self.enable[i], kinds.BOOL)
@@ -304,7 +304,7 @@ class ChannelRecords:
         is_armed = self.cell(record, kinds.RECORD_ARMED_CELL) != 0.0
         return cells.MODE_READY if is_armed else cells.MODE_SELECTED
 
-    def take(self) -> int:
+    def read_commands(self) -> int:
         """Note the errors that were read; return whether a transition is commanded."""
         is_commanded = 0
         for i in range(self.count):
@@ -351,7 +351,7 @@ class AxisReleases:
         at = self.places[row * kinds.RELEASE_WIDTH + what]
         return words.load(self.values.memory, at, kinds.BOOL)
 
-    def take(self) -> None:
+    def read_commands(self) -> None:
         """Lock the axes without a release from the next tick on; the others continue."""
         for i in range(self.count):
             is_locked = 0
@@ -438,18 +438,18 @@ class CncInterface(CncSide):
         self.units.show()
         self.records.show()
 
-    def take(self) -> int:
+    def read_commands(self) -> int:
         for i in range(self.count):
             self.own[i] = words.load(self.values.memory, self.present[i], kinds.BOOL)
             if self.own[i]:
                 self.banks.announce(i, self.tick)
-        self.sources.take()
-        self.units.take()
-        self.releases.take()
-        return self.records.take()
+        self.sources.read_commands()
+        self.units.read_commands()
+        self.releases.read_commands()
+        return self.records.read_commands()
 
     def leave(self) -> None:
         for i in range(self.count):
             words.store(self.values.memory, self.present[i], kinds.BOOL, 0)
             self.banks.announced[i] = 0
-        self.take()
+        self.read_commands()

@@ -251,7 +251,7 @@ class PlcTasks(PlcSide):
             self.has_news = True
             if self.context.fault != kinds.HALTED:
                 self.cnc.leave()
-        elif self.cnc.take() or self.context.overrun_task:
+        elif self.cnc.read_commands() or self.context.overrun_task:
             self.has_news = True
         if self.context.notes.is_crowded:
             self.has_news = True

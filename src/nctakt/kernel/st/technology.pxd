@@ -25,7 +25,7 @@ cdef class UnitBanks:
     cdef void announce(self, Py_ssize_t area, long long tick) noexcept nogil
     cdef int is_announced(self, Py_ssize_t bank) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef Py_ssize_t take(self, Py_ssize_t bank) noexcept nogil
+    cdef Py_ssize_t occupy(self, Py_ssize_t bank) noexcept nogil
     cdef long long at(self, Py_ssize_t bank, Py_ssize_t unit) noexcept nogil
     @cython.locals(size=Py_ssize_t)
     cdef void free(self, Py_ssize_t bank, Py_ssize_t unit) noexcept nogil
@@ -37,7 +37,7 @@ cdef class UnitBanks:
 
 cdef class UnitSource:
     cdef void show(self, long long tick) noexcept nogil
-    cdef void take(self) noexcept nogil
+    cdef void read_commands(self) noexcept nogil
 
 cdef class SectionSource(UnitSource):
     cdef UnitBanks banks
@@ -67,7 +67,7 @@ cdef class SectionSource(UnitSource):
     )
     cdef void write(self, long long at, Py_ssize_t slot) noexcept nogil
     @cython.locals(i=Py_ssize_t, writer=cython.longlong)
-    cdef void take(self) noexcept nogil
+    cdef void read_commands(self) noexcept nogil
 
 cdef class SpindleSource(UnitSource):
     cdef UnitBanks banks
@@ -86,4 +86,4 @@ cdef class SpindleSource(UnitSource):
     @cython.locals(data=cython.longlong, position=double, speed=double)
     cdef void write(self, long long at, Py_ssize_t spindle) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef void take(self) noexcept nogil
+    cdef void read_commands(self) noexcept nogil

@@ -69,8 +69,8 @@ class UnitBanks:
         """Return whether a PLC is announced for the area of these units."""
         return 1 if self.announced[self.area[bank]] else 0
 
-    def take(self, bank: int) -> int:
-        """Take a free unit; return its index, -1 without one."""
+    def occupy(self, bank: int) -> int:
+        """Occupy a free unit; return its index, -1 without one."""
         for i in range(self.units[bank]):
             if self.taken[bank * cells.TECHNO_UNITS + i] == 0:
                 self.taken[bank * cells.TECHNO_UNITS + i] = 1
@@ -125,7 +125,7 @@ class UnitSource:
     def show(self, tick: int) -> None:
         """Show the waiting functions after a tick, and acknowledge those of unannounced areas."""
 
-    def take(self) -> None:
+    def read_commands(self) -> None:
         """Acknowledge the functions that the PLC has completed."""
 
 
@@ -191,7 +191,7 @@ class SectionSource(UnitSource):
             return
         bank = self.bank_of(self.section.function[slot])
         if self.banks.is_announced(bank):
-            unit = self.banks.take(bank)
+            unit = self.banks.occupy(bank)
             if unit >= 0:
                 self.bank[slot] = bank
                 self.unit[slot] = unit
@@ -232,7 +232,7 @@ class SectionSource(UnitSource):
         words.store(self.banks.memory, data + cells.TECHNO_MODE, kinds.U32, mode)
         self.banks.ask(at, cells.TECHNO_M if function >= 0 else cells.TECHNO_H)
 
-    def take(self) -> None:
+    def read_commands(self) -> None:
         if self.shown_count > 0:
             for i in range(self.section.slot_count):
                 if self.serial[i] and self.banks.is_done(self.bank[i], self.unit[i]):
@@ -240,7 +240,7 @@ class SectionSource(UnitSource):
                         self.section.state[i] = codes.ACKNOWLEDGED
                         writer = self.banks.writer(self.bank[i], self.unit[i])
                         self.section.answer_source[i] = writer
-        self.others.take()
+        self.others.read_commands()
 
 
 class SpindleSource(UnitSource):
@@ -284,7 +284,7 @@ class SpindleSource(UnitSource):
         if not is_waiting:
             return
         if self.banks.is_announced(bank):
-            unit = self.banks.take(bank)
+            unit = self.banks.occupy(bank)
             if unit >= 0:
                 self.unit[spindle] = unit
                 self.job[spindle] = self.spindles.job[spindle]
@@ -311,9 +311,9 @@ class SpindleSource(UnitSource):
         words.store(self.banks.memory, data + cells.TECHNO_SPEED, kinds.I32, int(speed))
         self.banks.ask(at, cells.TECHNO_S)
 
-    def take(self) -> None:
+    def read_commands(self) -> None:
         for i in range(self.spindles.count):
             if self.job[i] and self.banks.is_done(self.bank[i], self.unit[i]):
                 if self.spindles.job[i] == self.job[i]:
                     self.spindles.plc_state[i] = codes.ACKNOWLEDGED
-        self.others.take()
+        self.others.read_commands()

@@ -67,7 +67,7 @@ class AxisExchange:
             holder = self.holder(axis)
             if holder not in (0, self.signals.number):
                 self.signals.board.has_waited = True
-                self.tell(tick, axis, codes.AXIS_AWAITED, holder)
+                self.record_exchange(tick, axis, codes.AXIS_AWAITED, holder)
 
     def exchange(self, tick: int, source: int, members: list[int]) -> None:
         """Let the channel have these axes instead, as ``Path.set_axes``; it waits no more."""
@@ -83,14 +83,14 @@ class AxisExchange:
             if axis not in after:
                 keepers = [one.give(axis) for one in self.c_axes]
                 self.single_axes.assign_to_channel(axis, max(keepers))
-                self.tell(tick, axis, codes.AXIS_GIVEN, 0)
+                self.record_exchange(tick, axis, codes.AXIS_GIVEN, 0)
         for axis in after:
             if axis not in before:
                 self.single_axes.assign_to_channel(axis, self.signals.number)
                 spindle = next((one for one in self.c_axes if one.axis == axis), None)
                 if spindle is not None:
                     spindle.take(axis)
-                self.tell(tick, axis, codes.AXIS_TAKEN, 0)
+                self.record_exchange(tick, axis, codes.AXIS_TAKEN, 0)
         self.single_axes.note_exchange()
 
     def holder(self, axis: int) -> int:
@@ -118,9 +118,11 @@ class AxisExchange:
             return (0, 0)
         return (source, since) if axis >= 0 else (int(self.source), int(self.since))
 
-    def tell(self, tick: int, axis: int, what: int, holder: int) -> None:
+    def record_exchange(self, tick: int, axis: int, what: int, holder: int) -> None:
         """Record an event of the exchange in the coming tick."""
-        self.signals.tell(tick, rows.EVENT_AXIS_EXCHANGED, self.source, axis, what, holder, 0.0)
+        self.signals.record_event(
+            tick, rows.EVENT_AXIS_EXCHANGED, self.source, axis, what, holder, 0.0
+        )
 
     def give_up(self) -> None:
         """Let the decoder wait no more."""

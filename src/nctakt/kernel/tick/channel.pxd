@@ -100,6 +100,6 @@ cdef class Channel:
     @cython.locals(i=Py_ssize_t)
     cdef void end_reset(self) noexcept nogil
     @cython.locals(state=int, row=Py_ssize_t, source=cython.longlong)
-    cdef int axes_stand(self) noexcept nogil
+    cdef int are_axes_at_rest(self) noexcept nogil
     @cython.locals(row=Py_ssize_t, cell=Py_ssize_t)
     cdef void answer_waiting(self) noexcept nogil

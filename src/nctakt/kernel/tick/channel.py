@@ -253,7 +253,7 @@ class Channel:
         self.path.publish_overrides(self.panel.override_pct, self.panel.feed_hold)
         is_single = self.panel.single_block and not is_cutting
         if is_single and not was_retracing:
-            is_single = self.executor.single_block.stands_ahead() > 0
+            is_single = self.executor.single_block.stops_ahead() > 0
         if self.path.is_single != is_single:
             self.path.set_single(is_single)
         if is_cutting:
@@ -368,7 +368,7 @@ class Channel:
             row = position % self.queue.capacity * self.queue.width
             kind = int(self.queue.rows[row + rows.KIND])
             if kind == rows.SEGMENT:
-                if self.threads.stands_before(self.queue.rows[row + rows.THREAD]):
+                if self.threads.is_at_rest_before(self.queue.rows[row + rows.THREAD]):
                     return
                 message = self.path.refusal(row, self.queue.rows)
                 if message:
@@ -398,13 +398,13 @@ class Channel:
             state = codes.CHANNEL_RESET
         elif self.executor.is_stopped:
             state = codes.CHANNEL_ERROR
-        if self.path.is_standing():
+        if self.path.is_at_rest():
             if not self.executor.is_stopped and not self.path.is_retracing:
                 if self.executor.waiting == rows.LOOP_END:
                     row = self.queue.head % self.queue.capacity * self.queue.width
                     self.executor.leave_loop(int(self.queue.rows[row + rows.SOURCE]))
                 waits = self.executor.waiting in (rows.FLUSH, rows.READ, rows.LOOP_END)
-                if waits or self.axes_stand():
+                if waits or self.are_axes_at_rest():
                     self.answer_waiting()
             if self.executor.is_resetting:
                 self.end_reset()
@@ -429,17 +429,17 @@ class Channel:
         if message:
             self.executor.enter_error(message)
 
-    def axes_stand(self) -> int:
+    def are_axes_at_rest(self) -> int:
         """Return whether the requested axes are at rest; a motion that never ends is an error."""
         if self.executor.waiting != rows.POSITIONS:
             return 0
         row = self.queue.head % self.queue.capacity * self.queue.width
         state = self.context.single_axes.request_state(self.queue.rows, row)
-        if state > codes.MOVES_STILL:
+        if state > codes.AXIS_MOVES:
             source = int(self.queue.rows[row + rows.SOURCE])
             self.executor.report(source, 50766, self.context.single_axes.requested_axis)
             self.executor.axis_state = state
-        return 1 if state == codes.STANDS else 0
+        return 1 if state == codes.AXIS_STOPPED else 0
 
     def answer_waiting(self) -> None:
         """Answer the flush or synchronous read at the head with the present values."""

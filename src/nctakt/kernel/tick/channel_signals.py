@@ -58,7 +58,9 @@ class ChannelSignals:
             number, self.number, receivers, remaining, 0, tick, mask, numbers, 0
         )
         if is_sent:
-            self.tell(tick, rows.EVENT_SIGNAL_SENT, source, number, receivers, remaining, 0.0)
+            self.record_event(
+                tick, rows.EVENT_SIGNAL_SENT, source, number, receivers, remaining, 0.0
+            )
         return bool(is_sent)
 
     def remove(self, low: int, high: int, receivers: int, is_range: bool) -> None:
@@ -77,7 +79,7 @@ class ChannelSignals:
         self.waiting_since = tick
         if self.board.state(number, self.number, senders, may_overtake) != codes.SIGNAL_THERE:
             self.board.has_waited = True
-            self.tell(tick, rows.EVENT_SIGNAL_AWAITED, source, number, senders, 0.0, 0.0)
+            self.record_event(tick, rows.EVENT_SIGNAL_AWAITED, source, number, senders, 0.0, 0.0)
 
     def accept(self, tick: int) -> tuple[float, ...]:
         """Take the signal that the decoder waits for: mask of the values received, and values.
@@ -107,11 +109,11 @@ class ChannelSignals:
         board = self.board
         board.take(number, self.number, senders)
         sender, sent = float(board.taken_sender), float(board.taken_tick)
-        self.tell(tick, rows.EVENT_SIGNAL_TAKEN, source, number, sender, sent, 0.0)
+        self.record_event(tick, rows.EVENT_SIGNAL_TAKEN, source, number, sender, sent, 0.0)
         values = [board.received[i] for i in range(codes.SIGNAL_VALUES)]
         return (float(board.received_mask), *values)
 
-    def tell(
+    def record_event(
         self, tick: int, kind: int, source: int, number: int, a: float, b: float, c: float
     ) -> None:
         """Record an event of the decoder in the coming tick."""

@@ -62,7 +62,7 @@ cdef class CommandExecutor:
     @cython.locals(row=Py_ssize_t, kind=int)
     cdef void run_due_commands(self, long long tick) noexcept nogil
     @cython.locals(moves=bint)
-    cdef int is_at_stand(self) noexcept nogil
+    cdef int is_at_rest(self) noexcept nogil
     cdef int is_reversing(self) noexcept nogil
     @cython.locals(source=cython.longlong, how=int)
     cdef void execute_loop(self, Py_ssize_t row) noexcept nogil

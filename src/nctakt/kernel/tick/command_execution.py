@@ -68,7 +68,7 @@ class CommandExecutor:
         self.program_ended = False
         self.error_pending = False
         self.error_detail = 0.0
-        self.axis_state = codes.MOVES_STILL
+        self.axis_state = codes.AXIS_MOVES
         self.error_message = 0
         self.is_looping = False
         self.is_skipping = False
@@ -119,7 +119,7 @@ class CommandExecutor:
             if kind == rows.LOOP_END and self.loop_repeats():
                 self.queue.repeat_body()
                 continue
-            if self.is_between and not self.loop_repeats() and self.is_at_stand():
+            if self.is_between and not self.loop_repeats() and self.is_at_rest():
                 self.is_skipping = True
             if self.is_skipping and kind != rows.LOOP_END:
                 self.queue.timed_count -= self.queue.time_units(row)
@@ -134,7 +134,7 @@ class CommandExecutor:
                     self.block_scope.pass_over(kind, self.taken_source)
             self.queue.head += 1
 
-    def is_at_stand(self) -> int:
+    def is_at_rest(self) -> int:
         """Return whether the path is at rest between two blocks with none started ahead."""
         moves = self.path.speed_v != 0.0 or self.path.is_active or self.path.continues_block()
         return 0 if moves or self.queue.started >= self.queue.head else 1
@@ -514,5 +514,5 @@ class CommandExecutor:
         """Record an error and enter the error state; the path brakes (RC-505)."""
         self.record.event(rows.EVENT_ERROR, source, 0, message, detail)
         self.error_detail = detail
-        self.axis_state = codes.MOVES_STILL
+        self.axis_state = codes.AXIS_MOVES
         self.enter_error(message)

@@ -374,7 +374,7 @@ class CommandQueue:
         """Return the number of the segment into which the path continues after command ``number``.
 
         Below 0 it is the current one. ``codes.END_OF_QUEUE`` if the queue ends before,
-        ``codes.STANDS_BETWEEN`` if something comes first that the path stops for.
+        ``codes.STOPS_BETWEEN`` if something comes first that the path stops for.
         """
         position = number + 1
         if number < 0:
@@ -384,9 +384,9 @@ class CommandQueue:
             kind = int(self.rows[row + rows.KIND])
             if kind == rows.SEGMENT:
                 is_joined = self.rows[row + rows.PREDECESSOR] > 0.0
-                return position if is_joined else codes.STANDS_BETWEEN
+                return position if is_joined else codes.STOPS_BETWEEN
             if not rows.is_transparent(kind):
-                return codes.STANDS_BETWEEN
+                return codes.STOPS_BETWEEN
             position += 1
         return codes.END_OF_QUEUE
 

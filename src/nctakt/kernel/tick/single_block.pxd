@@ -19,7 +19,7 @@ cdef class SingleBlock:
     @cython.locals(head=cython.longlong, row=Py_ssize_t, kind=int, is_started=bint)
     cdef int permits(self) noexcept nogil
     @cython.locals(number=cython.longlong, row=Py_ssize_t, continues=bint)
-    cdef int stands_ahead(self) noexcept nogil
+    cdef int stops_ahead(self) noexcept nogil
     @cython.locals(row=Py_ssize_t, block=double, line=cython.longlong, kind=int)
     cdef int is_block(self, long long number) noexcept nogil
     @cython.locals(row=Py_ssize_t, kind=int)

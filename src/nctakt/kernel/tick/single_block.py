@@ -46,7 +46,7 @@ class SingleBlock:
             return 1 - self.panel.holds_back(self.line(row), self.leads_to_motion(head), is_started)
         return self.panel.permits_block(self.line(row), self.is_motion(kind), is_started)
 
-    def stands_ahead(self) -> int:
+    def stops_ahead(self) -> int:
         """Return whether the path stops after its block, not being allowed into the next one."""
         if self.panel.step_resolution == 0:
             return 1

@@ -24,7 +24,7 @@ cdef class SpindleExchange:
     @cython.locals(row=Py_ssize_t, spindle=Py_ssize_t)
     cdef int is_stuck(self) noexcept nogil
     @cython.locals(source=cython.longlong, holder=cython.longlong, number=cython.longlong)
-    cdef void tell(
+    cdef void record_exchange(
         self, Py_ssize_t row, Py_ssize_t spindle, Py_ssize_t axis, int what
     ) noexcept nogil
     cdef void reset(self) noexcept nogil

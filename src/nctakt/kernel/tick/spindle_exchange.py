@@ -63,7 +63,7 @@ class SpindleExchange:
             self.context.single_axes.axes.put_at(axis, position)
             self.context.single_axes.in_channel[axis] = 0
             self.context.single_axes.has_exchanged = True
-            self.tell(row, spindle, axis, codes.AXIS_GIVEN)
+            self.record_exchange(row, spindle, axis, codes.AXIS_GIVEN)
         return 1
 
     def take(self, tick: int, row: int, spindle: int) -> int:
@@ -73,14 +73,14 @@ class SpindleExchange:
             if self.blocked_since < 0:
                 self.blocked_since = tick
                 self.signals.board.has_waited = True
-                self.tell(row, spindle, axis, codes.AXIS_AWAITED)
+                self.record_exchange(row, spindle, axis, codes.AXIS_AWAITED)
             return 0
         self.blocked_since = -1
         if axis >= 0 and self.context.single_axes.in_channel[axis] == 0:
             self.context.single_axes.in_channel[axis] = self.signals.number
             self.context.single_axes.has_exchanged = True
             self.context.spindles.turn_to(spindle, self.context.single_axes.axes.command[axis])
-            self.tell(row, spindle, axis, codes.AXIS_TAKEN)
+            self.record_exchange(row, spindle, axis, codes.AXIS_TAKEN)
         self.context.spindles.take_axis(spindle)
         return 1
 
@@ -101,7 +101,7 @@ class SpindleExchange:
         spindle = int(self.queue.rows[row + rows.GIVING_SPINDLE])
         return self.has_other(self.context.spindles.axis[spindle])
 
-    def tell(self, row: int, spindle: int, axis: int, what: int) -> None:
+    def record_exchange(self, row: int, spindle: int, axis: int, what: int) -> None:
         """Record an event of the exchange, with the number of the spindle, from 1."""
         source = int(self.queue.rows[row + rows.SOURCE])
         holder = self.context.single_axes.in_channel[axis] if what == codes.AXIS_AWAITED else 0

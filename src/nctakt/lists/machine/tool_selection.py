@@ -60,7 +60,7 @@ class ToolSelection:
     informs_of_t: bool = False
 
     @property
-    def tells_of_t(self) -> bool:
+    def reports_t(self) -> bool:
         """Whether T goes to the PLC, or to its tool manager."""
         return self.output is not None or (self.is_external and self.informs_of_t)
 

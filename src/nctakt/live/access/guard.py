@@ -138,18 +138,18 @@ class Guard:
         is_http, path = scope["type"] == "http", scope["path"]
         respond = self._responding(send)
         if reason := self._access.why_refused(headers, path, given):
-            self._tell(scope, reason)
+            self._report(scope, reason)
             await (_refuse(respond, headers) if is_http else _close(send))
         elif is_http and self._access.is_token(given) and not _is_for_frame(headers):
             cookie = f"{COOKIE}={given}; Path=/; HttpOnly; SameSite=Strict"
             await _answer(respond, 303, [("location", path), ("set-cookie", cookie)])
         elif is_http and path == "/" and (words := self._refusal()):
-            self._tell(scope, TOO_MANY)
+            self._report(scope, TOO_MANY)
             await _answer(respond, 503, [("content-type", _PLAIN)], f"{words}\n".encode())
         else:
             await self._application(scope, receive, respond)
 
-    def _tell(self, scope: Scope, reason: Text) -> None:
+    def _report(self, scope: Scope, reason: Text) -> None:
         self._refused(str((scope.get("client") or ("",))[0]), reason)
 
     def _responding(self, send: Send) -> Send:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 #: Browsers that may look at the page at a time, and pages that may wait for theirs to connect.
 MAX_BROWSERS, MAX_WAITING = 20, 20
 
-_NOBODY = Text("its browser did not connect", "sein Browser verband sich nicht")
+_NOT_CONNECTED = Text("its browser did not connect", "sein Browser verband sich nicht")
 
 
 class Places:
@@ -38,7 +38,7 @@ class Places:
         waiting = [one for one in self._clients.values() if one.id not in self._taken]
         if len(waiting) >= MAX_WAITING:
             oldest = min(waiting, key=lambda one: one.created)
-            self._refused(oldest.ip, _NOBODY)
+            self._refused(oldest.ip, _NOT_CONNECTED)
             oldest.delete()
         return True
 

@@ -22,10 +22,10 @@ _LOGGERS = ("asyncio", "engineio", "engineio.server", "nicegui", "socketio", "so
 _MAX_REASONS = 20
 
 
-class _Teller(logging.Handler):
-    def __init__(self, tell: Callable[[Diagnostic], None]) -> None:
+class _Reporter(logging.Handler):
+    def __init__(self, report: Callable[[Diagnostic], None]) -> None:
         super().__init__(logging.ERROR)
-        self._tell = tell
+        self._report = report
         self._reasons: set[str] = set()
 
     def emit(self, record: logging.LogRecord) -> None:
@@ -38,15 +38,15 @@ class _Teller(logging.Handler):
         reason = reason[:120]
         if reason not in self._reasons and len(self._reasons) < _MAX_REASONS:
             self._reasons.add(reason)
-            self._tell(diagnostic(MESSAGE_NOT_READABLE, reason=reason))
+            self._report(diagnostic(MESSAGE_NOT_READABLE, reason=reason))
 
 
-def tell_errors(tell: Callable[[Diagnostic], None]) -> None:
-    """Report errors of the libraries by ``tell`` from now on."""
+def report_errors(report: Callable[[Diagnostic], None]) -> None:
+    """Report errors of the libraries by ``report`` from now on."""
     if os.environ.get("NCTAKT_DEBUG"):
         return
-    teller = _Teller(tell)
+    reporter = _Reporter(report)
     for name in _LOGGERS:
         logger = logging.getLogger(name)
-        logger.handlers = [teller]
+        logger.handlers = [reporter]
         logger.propagate = False

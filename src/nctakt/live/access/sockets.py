@@ -60,7 +60,7 @@ class Sockets:
         elif scope["type"] == "websocket":
             await self._pass(scope, receive, send)
         elif scope["type"] == "http":
-            self._tell(scope, _NO_SOCKET)
+            self._report(scope, _NO_SOCKET)
             await send({"type": "http.response.start", "status": 403, "headers": []})
             await send({"type": "http.response.body", "body": b"403: only WebSockets\n"})
 
@@ -69,7 +69,7 @@ class Sockets:
         page = words.get("client_id", [""])[0]
         name = "" if self._looks_on(page) is None else page
         if self._open[name] >= (MAX_OF_PAGE if name else MAX_STRANGERS):
-            self._tell(scope, _SOCKETS)
+            self._report(scope, _SOCKETS)
             await send({"type": "websocket.close", "code": 1008})
             return
         self._open[name] += 1
@@ -77,12 +77,12 @@ class Sockets:
             reading = Reading(receive, lambda: self._looks_on(page) is True)
             await self._application(scope, reading, send)
             if reading.is_over:
-                self._tell(scope, _NO_BROWSER)
+                self._report(scope, _NO_BROWSER)
         finally:
             self._open[name] -= 1
             self._open += Counter()  # forgets those without one
 
-    def _tell(self, scope: Scope, reason: Text) -> None:
+    def _report(self, scope: Scope, reason: Text) -> None:
         self._refused(str((scope.get("client") or ("",))[0]), reason)
 
 

@@ -2,7 +2,7 @@
 ; Channel 1 mills with five axes. M100 asks the PLC to open the gate, M8 is done once it is open.
 #RT CYCLE [ID = 1 SCOPE = PROG]
   $IF EDGE V.RTA.ACS.ACT_POS.Z > 160     ; the tool is up
-    $IF V.E.AREA_FREE == TRUE            ; the scanner sees nobody at the gate
+    $IF V.E.AREA_FREE == TRUE            ; the scanner sees no one at the gate
       M100
     $ENDIF
   $ENDIF

@@ -55,7 +55,7 @@ class Commander:
         self._client = client
         self._writing = asyncio.Lock()
         self._under_way = 0
-        self._is_hurry_told = False
+        self._is_hurry_reported = False
         client.on_connect(self._arrive)
         client.on_disconnect(self._leave)
 
@@ -72,8 +72,8 @@ class Commander:
     async def _be_bounded(self, act: Callable[[], Awaitable[object]]) -> bool:
         """Act, unless too much is under way; show why not, and return whether it acted."""
         if self._under_way >= _MAX_UNDER_WAY:
-            if not self._is_hurry_told:
-                self._is_hurry_told = True
+            if not self._is_hurry_reported:
+                self._is_hurry_reported = True
                 with self._client:
                     ui.notify(self.texts["too_fast"], type="warning")
             return False
@@ -86,7 +86,7 @@ class Commander:
             return False
         finally:
             self._under_way -= 1
-            self._is_hurry_told &= self._under_way > 0
+            self._is_hurry_reported &= self._under_way > 0
         return True
 
     def refuse(self, error: Exception) -> None:
@@ -122,32 +122,32 @@ class Commander:
         """Press a key of the operator's panel of the shown channel."""
         await self.write(f"{self.shared.prefix}HLI.{key}", 1)
 
-    # --- the pen --------------------------------------------------------------------------------
+    # --- control --------------------------------------------------------------------------------
 
     @property
-    def has_pen(self) -> bool:
+    def has_control(self) -> bool:
         """Whether this browser commands."""
-        return self.shared.pen == self._client.id
+        return self.shared.in_control == self._client.id
 
     def may(self) -> bool:
         """Return whether this browser may command; say so if not."""
-        if self.shared.pen is None:
-            self.shared.pen = self._client.id
-        if not self.has_pen:
+        if self.shared.in_control is None:
+            self.shared.in_control = self._client.id
+        if not self.has_control:
             with self._client:
-                ui.notify(self.texts["no_pen"], type="warning")
+                ui.notify(self.texts["not_in_control"], type="warning")
             return False
         return True
 
-    def take_pen(self) -> None:
+    def take_control(self) -> None:
         """Command from now on."""
-        self.shared.pen = self._client.id
+        self.shared.in_control = self._client.id
 
     def _arrive(self) -> None:
-        """Take control if nobody has it; a browser that only fetches the page never gets here."""
-        if self.shared.pen is None:
-            self.shared.pen = self._client.id
+        """Take control if no browser has it; this is called only by one that opens the page."""
+        if self.shared.in_control is None:
+            self.shared.in_control = self._client.id
 
     def _leave(self) -> None:
-        if self.has_pen:
-            self.shared.pen = None
+        if self.has_control:
+            self.shared.in_control = None

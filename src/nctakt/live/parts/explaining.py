@@ -140,7 +140,7 @@ class Explainer:
             except _GoneOnError:
                 continue
             except (Failure, RuntimeError):
-                time.sleep(_REST_S)  # whoever clicks is told the reason
+                time.sleep(_REST_S)  # a click shows the reason
 
     def _check_rest(self, moment: Moment) -> None:
         """Raise ``_GoneOnError`` if the session has gone on meanwhile, or somebody asks."""

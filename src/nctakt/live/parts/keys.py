@@ -109,7 +109,7 @@ GROUPS: tuple[tuple[str, tuple[Key, ...]], ...] = (
             _same("5", "tab_stops", "5"),
             _same("6", "tab_branches", "6"),
             _same("7", "tab_time", "7"),
-            _same("p", "take_pen", "P"),
+            _same("p", "take_control", "P"),
             _same("d", "dark", "D"),
             _same("?", "help", "?"),
         ),

@@ -174,7 +174,7 @@ class Lists:
     ) -> list[LogRow]:
         """Return the newest rows, the last one first, and a note that older ones are not shown.
 
-        ``is_partial``: nobody knows how many there are. ``note``: the text if all these rows are
+        ``is_partial``: their number is unknown. ``note``: the text if all these rows are
         shown, but there are more.
         """
         shown = list(rows[-_MAX_SHOWN:])[::-1]

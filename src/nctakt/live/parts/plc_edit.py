@@ -166,7 +166,7 @@ class PlcEdit:
     # --- findings -------------------------------------------------------------------------------
 
     def _check_later(self) -> None:
-        """Check the text once nobody has typed for a moment."""
+        """Check the text after a short pause in typing."""
         self._changes += 1
         ui.timer(_TYPING_S, lambda change=self._changes: self._checks.wish(change), once=True)
 

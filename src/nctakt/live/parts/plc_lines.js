@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lines of a file of the PLC: numbers, colours, where the session stands, values beside them.
+// The lines of a file of the PLC: numbers, colours, the current statement, values beside them.
 // Only those in view are elements; all have the same height.
 const HEIGHT = 19, AROUND = 12;
 const MOVES = { ArrowDown: () => 1, ArrowUp: () => -1, PageDown: (page) => page, PageUp: (page) => -page,
@@ -20,14 +20,14 @@ export default {
           }}</span></span><span v-if="beside[index]" class="nc-plc-value">{{ beside[index] }}</span></div>
       </div>
     </div>
-    <div class="nc-plc-told cm-tooltip" v-show="told" :style="told ? toldPlace : {}" data-testid="plc-told"><div
-      :class="told ? 'nc-told' : ''" ref="told" role="status"></div></div>
+    <div class="nc-plc-tip cm-tooltip" v-show="tip" :style="tip ? tipPlace : {}" data-testid="plc-tip"><div
+      :class="tip ? 'nc-tip' : ''" ref="tip" role="status"></div></div>
   </div>`,
   props: { rows: Array, name: String, marks: Object, beside: Object },
-  data: () => ({ first: 0, last: 0, cursor: 0, height: HEIGHT, view: "", told: null }),
+  data: () => ({ first: 0, last: 0, cursor: 0, height: HEIGHT, view: "", tip: null }),
   computed: {
-    toldPlace() {
-      const { index, x } = this.told, { scrollTop, clientHeight } = this.$refs.scroller;
+    tipPlace() {
+      const { index, x } = this.tip, { scrollTop, clientHeight } = this.$refs.scroller;
       const top = index * HEIGHT - scrollTop, isLow = top > clientHeight / 2;
       return { left: `${Math.max(0, x)}px`, top: `${isLow ? top : top + HEIGHT}px`,
         transform: isLow ? "translateY(-100%)" : "none" };
@@ -60,7 +60,7 @@ export default {
       this.view = view;
       this.$emit("view", [this.first, this.last]);
     },
-    // The pointer rests on a word: the server is asked for it; by F1, for all words of the cursor's row.
+    // When the pointer rests on a word, the server explains it; F1 explains all words of the cursor's row.
     point(event) {
       clearTimeout(this.rest);
       const { clientX, clientY } = event, text = event.target.closest(".nc-plc-text");
@@ -82,17 +82,17 @@ export default {
       clearTimeout(this.rest);
       this.pointed = null;
       this.asked = null;
-      this.told = null;
+      this.tip = null;
     },
     explain() { this.ask(this.cursor, -1, 60); },
     ask(index, column, x) {
       this.asked = { index, x, number: (this.asked?.number ?? 0) + 1 };
       this.$emit("explain", [index, column]);
     },
-    tell(index, html) {
+    showTip(index, html) {
       if (!this.asked || this.asked.index !== index) return;
-      this.told = html ? this.asked : null;
-      this.$refs.told.setHTML(html);
+      this.tip = html ? this.asked : null;
+      this.$refs.tip.setHTML(html);
     },
     put(index) {
       if (index !== this.cursor) this.leave();
@@ -111,9 +111,9 @@ export default {
       const page = Math.max(1, Math.floor(this.$refs.scroller.clientHeight / HEIGHT) - 1);
       this.show(Math.max(0, Math.min(this.rows.length - 1, this.cursor + MOVES[event.key](page))));
     },
-    // The row is the cursor's, and in view.
+    // Moves the cursor to a row and scrolls it into view.
     async show(index) {
-      await this.$nextTick(); // other rows may have come with it
+      await this.$nextTick(); // other rows may have arrived at the same time
       this.put(index);
       const scroller = this.$refs.scroller, top = index * HEIGHT;
       const isAbove = top < scroller.scrollTop, isBelow = top + HEIGHT > scroller.scrollTop + scroller.clientHeight;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Findings in the editor of a PLC's text: underlined, and told at the pointer.
+// Findings in the editor of a PLC's text: underlined, with a tooltip at the pointer.
 (() => {
   const equip = async (view) => {
     const CM = await import("nicegui-codemirror");
@@ -10,12 +10,12 @@
       update: (now, change) => change.effects.find((one) => one.is(setMarks))?.value ?? now.map(change.changes),
       provide: (field) => EditorView.decorations.from(field),
     });
-    const tell = (found) => {
+    const tipOf = (found) => {
       const element = document.createElement("div");
-      element.className = "nc-told";
+      element.className = "nc-tip";
       for (const one of found) {
         const row = element.appendChild(document.createElement("div"));
-        row.className = `nc-told-finding ${one.class}`;
+        row.className = `nc-tip-finding ${one.class}`;
         row.appendChild(document.createElement("div")).textContent = one.text;
         row.appendChild(document.createElement("div")).textContent = one.remedy;
       }
@@ -29,7 +29,7 @@
         pos = Math.min(pos, from);
         end = Math.max(end, to);
       });
-      return found.length ? { pos, end, above: true, create: () => ({ dom: tell(found) }) } : null;
+      return found.length ? { pos, end, above: true, create: () => ({ dom: tipOf(found) }) } : null;
     });
     view.dispatch({ effects: StateEffect.appendConfig.of([marks, hover]) });
     const show = (known) => {
@@ -53,7 +53,7 @@
   const begin = () => {
     const view = getElement(EDITOR)?.editor;
     if (view) equip(view);
-    else setTimeout(begin, 20); // its library is still on the way
+    else setTimeout(begin, 20); // the library is still loading
   };
   begin();
 })();

@@ -84,7 +84,7 @@ class PlcPane:
         self._cursor = 0
         self._level = 0
         self._instances: list[str] = []
-        self._stood: tuple[int, int] | None = None
+        self._shown_place: tuple[int, int] | None = None
         self._values = Newest(self._send_values)
         self._questions = Newest(self._answer)
         self._wished: _Wish | None = None
@@ -252,9 +252,9 @@ class PlcPane:
         ``None`` unless it has done so since the last call.
         """
         halt = snapshot.statement
-        stands = None if halt is None else (halt.tick, halt.number)
-        is_new = stands is not None and stands != self._stood
-        self._stood = stands
+        stopped_at = None if halt is None else (halt.tick, halt.number)
+        is_new = stopped_at is not None and stopped_at != self._shown_place
+        self._shown_place = stopped_at
         if halt is None or not is_new:
             return None
         self._level = 0
@@ -371,7 +371,7 @@ class PlcPane:
         found = await run.io_bound(explained, text.file, words, self._texts.language)
         html = self._texts["nothing_known"] if is_by_key and found is None else ""
         if text is self._text:
-            self._lines.run_method("tell", index, html if found is None else found)
+            self._lines.run_method("showTip", index, html if found is None else found)
 
     async def _click_number(self, event: Any) -> None:
         if isinstance(event.args, int):

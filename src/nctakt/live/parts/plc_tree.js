@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a line of the PLC names, as a tree that unfolds structures, arrays and pointers.
+// The variables in a line of the PLC as a tree that unfolds structures, arrays and pointers.
 export default {
   template: `
     <div v-if="rows.length" class="nc-plc-tree" role="tree" tabindex="0" :aria-label="name" ref="tree" data-testid="plc-tree"

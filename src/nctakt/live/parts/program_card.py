@@ -279,11 +279,11 @@ class ProgramCard:
         if not self._is_ready:
             return
         shown = self._shown_document()
-        is_behind = self._begin != self.document.text and self.text == self._begin
+        is_outdated = self._begin != self.document.text and self.text == self._begin
         if shown is not self.document:
             begin, text = self._drafts.get(shown.file, (shown.text, _in_editor(shown)))
             self._replace(_Change(shown, begin, self._value, text))
-        elif is_behind:
+        elif is_outdated:
             self._replace(_Change(shown, shown.text, self._value, _in_editor(shown)))
 
     def _replace(self, change: _Change) -> None:
@@ -475,7 +475,7 @@ class ProgramCard:
     # --- text -----------------------------------------------------------------------------------
 
     def _check_later(self) -> None:
-        """Check the text once nobody has typed for a moment."""
+        """Check the text after a short pause in typing."""
         self._typed += 1
         ui.timer(_TYPING_S, lambda typed=self._typed: self._checks.wish(typed), once=True)
 

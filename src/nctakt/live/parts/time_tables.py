@@ -33,9 +33,9 @@ class TimeTables:
         self._state = ui.label().classes("nc-soft").props("role=status data-testid=time-state")
         self._tables = TablesView().props("data-testid=times")
         self._tables.props["channels"] = []
-        self._tables.on("line", lambda event: self._tell(event, reveal))
+        self._tables.on("line", lambda event: self._reveal(event, reveal))
 
-    def _tell(self, event: Any, reveal: Callable[[int, str], None]) -> None:
+    def _reveal(self, event: Any, reveal: Callable[[int, str], None]) -> None:
         if isinstance(event.args, int):
             reveal(event.args, "")
 

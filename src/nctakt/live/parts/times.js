@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables of times: for each channel its title and tables; a table is heads, rows and the lines of its first rows, 0 where one is not in the program shown. A click, or Enter, on a row tells its line.
+// Tables of times: for each channel its title and tables; a table has heads, rows and the lines of
+// its first rows, 0 for lines outside the shown program. A click or Enter on a row emits its line.
 export default {
   template: `
     <div>
@@ -9,7 +10,7 @@ export default {
           <thead><tr><th v-for="head in heads" scope="col">{{ head }}</th></tr></thead>
           <tbody>
             <tr v-for="(row, index) in rows" v-bind="lines[index] ? act : {}"
-              @click="tell(lines[index])" @keydown.enter="tell(lines[index])">
+              @click="choose(lines[index])" @keydown.enter="choose(lines[index])">
               <td v-for="cell in row">{{ cell }}</td>
             </tr>
           </tbody>
@@ -18,7 +19,7 @@ export default {
     </div>`,
   props: { channels: Array },
   methods: {
-    tell(line) {
+    choose(line) {
       if (line) this.$emit("line", line);
     },
   },

@@ -126,7 +126,7 @@ class Tour:
 def brought(session: Session, file: str, line: int, name: str) -> int | None:
     """Bring a session to a step; return the tick of the question, 0 before it has come up.
 
-    ``None`` if nobody has asked, or the answer was not the one that the tour describes.
+    ``None`` without a question, or if its answer was not the one that the tour describes.
     """
     session.pause()
     first = min(session.branches)

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
-// What a browser knows of the session: curves, marks, blocks, the cursor. Scope, path and editor
-// share it; the server adds to it (track.py).
+// The session's data in a browser: curves, marks, blocks, the cursor. Scope, path and editor share
+// it; the server adds to it (track.py).
 
 const MAX_POINTS = 3000, MAX_MARKS = 2000, MAX_BLOCKS = 20000, MAX_SAMPLES = 5000;
 
 export const run = {
   names: [], units: [], booleans: [], hidden: 0, now: [], ticks: [], columns: [], marks: [], blocks: [],
-  conditions: [], lanesShown: [], lanes: [], bars: { end: 0, lines: [] }, // up to "end" exact, then as sampled
-  block: 0, tick: -1, latest: -1, // the last tick that has run: all values are those after it
-  logged: {}, // by the signal's name: a machine's log in ticks of this run
+  conditions: [], lanesShown: [], lanes: [], bars: { end: 0, lines: [] }, // exact up to "end", then sampled
+  block: 0, tick: -1, latest: -1, // the last tick that has run: all values are from its end
+  logged: {}, // a machine's log by names of signals, in ticks of this run
   isPlaying: false, future: null, cycleUs: 1000, detail: null, words: {},
-  cursor: null, anchor: null, head: null, line: 0, // between anchor and head: what a person compares
-  firstLane: 0, // of the conditions that fit the filter: the one that the scope shows first
+  cursor: null, anchor: null, head: null, line: 0, // the user compares the stretch from anchor to head
+  firstLane: 0, // the first condition shown, counted among those that match the filter
   from: 0, to: 1, follows: true, span: 0,
 };
 const listeners = new Set();
 let isDue = false, taken = 0, told = 0, heldUntil = 0;
 
-// A press is answered before anything else is drawn, or this long, in ms.
+// Drawing waits for the answer to a key press, but at most this long, in ms.
 const MAX_HELD = 150;
 
 export const listen = (listener) => { listeners.add(listener); return () => listeners.delete(listener); };
@@ -26,7 +26,7 @@ export const changed = () => {
   isDue = true;
   requestAnimationFrame(draw);
 };
-// The server hears up to which increment all has been drawn: to a page that sleeps it sends no more.
+// Tells the server which increment has been drawn: it sends no more to a page that sleeps.
 const draw = () => {
   if (performance.now() < heldUntil) { requestAnimationFrame(draw); return; }
   isDue = false;
@@ -37,12 +37,12 @@ const draw = () => {
   }
 };
 
-// Somebody pauses: what comes until then need not be drawn first.
+// The user pauses: data that arrives before the answer need not be drawn first.
 export const hold = () => { if (run.isPlaying) heldUntil = performance.now() + MAX_HELD; };
 
 const trim = (list, size) => { if (list.length > size) list.splice(0, list.length - size); };
 
-// Adds what the server sends: each part is new as a whole or goes on behind what is here.
+// Adds data from the server: each part replaces the present data or is appended to it.
 export const take = (news) => {
   for (const name of ["names", "units", "booleans", "hidden", "now", "block", "conditions", "lanesShown", "words", "cycleUs", "tick", "latest", "isPlaying", "bars", "future", "logged"]) {
     if (news[name] !== undefined) run[name] = news[name];
@@ -75,10 +75,10 @@ export const take = (news) => {
   changed();
 };
 
-// Light or dark: the drawings take their colours anew.
+// Light or dark: the drawings look up their colours again.
 new MutationObserver(changed).observe(document.body, { attributes: true, attributeFilter: ["class"] });
 
-// How often news came, for whoever measures the page.
+// How often data came, for measurements of the page.
 const frames = { count: 0 };
 globalThis.nctaktFrames = frames;
 
@@ -88,7 +88,7 @@ const showTexts = (texts) => {
   }
 };
 
-// --- the stretch that the scope shows --------------------------------------------------------
+// --- the stretch shown by the scope ----------------------------------------------------------
 export const first = () => (run.ticks.length ? run.ticks[0] : 0);
 export const follow = () => {
   run.follows = true;
@@ -112,7 +112,7 @@ export const zoom = (tick, factor) => {
     changed();
   } else show(tick - (tick - run.from) * factor, tick + (run.to - tick) * factor);
 };
-// The two ticks that a person compares, null without; the later one follows the pointer, else the session.
+// The two compared ticks, or null; the later one follows the pointer, else the session.
 export const compared = () => {
   if (run.anchor === null) return null;
   return [run.anchor, run.head ?? run.cursor ?? run.tick];
@@ -122,7 +122,7 @@ export const mark = () => {
   run.head = null;
   changed();
 };
-// Shows what is selected, else half of what is shown.
+// Zooms to the selection, else to half of the shown stretch.
 export const zoomIn = () => {
   if (run.anchor === null || run.head === null) { zoom((run.from + run.to) / 2, 0.6); return; }
   show(Math.min(run.anchor, run.head), Math.max(run.anchor, run.head));
@@ -131,7 +131,7 @@ export const pan = (share) => show(run.from + share * (run.to - run.from), run.t
 export const fit = () => { run.span = 0; follow(); changed(); };
 
 // --- looking up ------------------------------------------------------------------------------
-// The finest curves for the stretch that is shown.
+// The finest curves for the shown stretch.
 export const curves = () => {
   const { detail } = run;
   const isInside = detail && detail.names.join() === run.names.join()
@@ -152,7 +152,7 @@ export const blockAt = (tick) => {
   const index = indexAt(run.blocks, tick, (block) => block[0]);
   return index < 0 ? null : run.blocks[index];
 };
-// When the condition in a line was true: first tick, end, and whether that is exact.
+// When the condition in a line was true: first tick, end, and whether they are exact.
 export const laneBars = (line, row) => {
   const exact = run.bars.lines.find((one) => one.line === line), known = exact ? run.bars.end : 0;
   const found = exact ? exact.bars.filter(([begin]) => begin < known).map(([begin, end]) => [begin, Math.min(end, known), true]) : [];
@@ -169,7 +169,7 @@ export const laneBars = (line, row) => {
   });
   return found;
 };
-// The unit in which the numbers of one are shown, as everywhere on the page, and by what they grow.
+// The unit in which values are shown on the page, and the factor to it.
 export const shownUnit = (unit) => (unit === "mm/s" ? ["mm/min", 60] : [unit, 1]);
 export const seconds = (tick) => (tick * run.cycleUs) / 1e6;
 

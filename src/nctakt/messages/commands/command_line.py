@@ -38,7 +38,7 @@ WAITING_AT_RUN_LIMIT = note(
     awaited=("what is waited for", "worauf gewartet wird"),
     freed_by=("what lets the program go on", "was das Programm weiterlaufen lässt"),
 )
-STANDS_FOR_EVER = error(
+WAITS_FOREVER = error(
     902000,
     en="after {limit} of the machine's time the program is still waiting for {awaited}",
     de="nach {limit} Maschinenzeit wartet das Programm immer noch auf {awaited}",

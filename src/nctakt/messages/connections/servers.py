@@ -6,7 +6,7 @@ from __future__ import annotations
 from nctakt.messages.catalogue import error, note
 from nctakt.messages.extras import install_command
 
-DOOR_ADDRESS_NOT_USABLE = error(
+ENDPOINT_ADDRESS_NOT_USABLE = error(
     901351,
     en="{endpoint} cannot listen on {host}, port {port}: {reason}",
     de="{endpoint} kann nicht an {host}, Port {port} lauschen: {reason}",
@@ -15,14 +15,14 @@ DOOR_ADDRESS_NOT_USABLE = error(
     endpoint=("the server", "der Server"),
     host=("the address", "die Adresse"),
 )
-INVALID_DOOR_ADDRESS = error(
+INVALID_ENDPOINT_ADDRESS = error(
     901352,
     en="{option} needs an address as HOST:PORT, not {text}",
     de="{option} braucht eine Adresse der Form HOST:PORT, nicht {text}",
     remedy_en="Write it with an equals sign, {option}=127.0.0.1:0, and programs before it.",
     remedy_de="Mit Gleichheitszeichen schreiben, {option}=127.0.0.1:0, und Programme davor.",
 )
-NO_DOOR = error(
+NO_ENDPOINT = error(
     901353,
     en="nctakt serve needs at least one protocol for its clients",
     de="nctakt serve braucht mindestens ein Protokoll für seine Clients",

@@ -88,8 +88,9 @@ STUB_WITHOUT_OBJECT = warning(
     902980,
     en="{path} has no object of {name}: its outputs keep their initial values",
     de="{path} hat kein Objekt von {name}: seine Ausgänge behalten ihre Anfangswerte",
-    remedy_en="Declare the instance in a program, a list, or a block that stands there.",
-    remedy_de="Die Instanz in einem Programm, einer Liste oder einem Baustein darin deklarieren.",
+    remedy_en="Declare the instance in a program, a list, or a block that is declared in one.",
+    remedy_de="Die Instanz in einem Programm, einer Liste oder einem dort deklarierten Baustein "
+    "anlegen.",
     cause_en="Variables of functions and methods, VAR_TEMP, VAR_STAT and VAR_INST have no path.",
     cause_de="Variablen von Funktionen und Methoden, VAR_TEMP, VAR_STAT und VAR_INST haben keinen "
     "Pfad.",

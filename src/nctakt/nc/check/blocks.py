@@ -268,7 +268,7 @@ class WordChecker:
         elif entry.support is Support.REFUSED:
             self._findings.report_support(entry, word.span, self._findings.written(word.span))
         else:
-            if word.name != "T" or not self._channel.tool_selection.tells_of_t:
+            if word.name != "T" or not self._channel.tool_selection.reports_t:
                 self._findings.report_support(entry, word.span)
             self._value(word, state)
 

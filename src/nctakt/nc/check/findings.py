@@ -73,7 +73,7 @@ class Findings:
         text = self._source.line_of(span)[span.column - 1 : span.end_column - 1]
         return " ".join(text.split())[:40]
 
-    def behind(self, span: Span) -> tuple[str, Span]:
+    def text_after(self, span: Span) -> tuple[str, Span]:
         """Return the text after a span in its line, and the span of that text."""
         rest = self._source.line_of(span)[span.end_column - 1 :]
         text = rest.strip()

@@ -154,7 +154,7 @@ class CycleLinter:
         self._reported = {}
         self._is_inch = is_inch
         if not any(isinstance(item, Keyword) and item.name == "SCOPE" for item in cycle.keywords):
-            code = self._findings.behind(cycle.span)[0].partition(";")[0].upper()
+            code = self._findings.text_after(cycle.span)[0].partition(";")[0].upper()
             if "SCOPE" not in code and (cycle.keywords or "=" not in code):
                 self._extension(SCOPE_LEFT_OUT, cycle.span)
         self._check_limits(cycle)

@@ -3,7 +3,7 @@
 
 In: a PLC on a machine. Out: hits of stops at its statements; where it has halted or failed: the
 open calls, their scopes, and values by path or expression. Probes are put into the code when the
-first statement is requested; a PLC that nobody debugs has none.
+first statement is requested; without a debugger there are none.
 """
 
 from __future__ import annotations

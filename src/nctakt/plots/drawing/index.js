@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Helpers for drawings on a canvas, of a run's picture (page.py) and of the live page.
+// Helpers for drawing on a canvas, for pictures of runs (page.py) and the live page.
 export const make = (tag, parent, properties = {}) => {
   const element = Object.assign(document.createElement(tag), properties);
   parent.append(element);
   return element;
 };
-const colours = new Map(); // of the picture that is drawn: to ask for one takes long
+const colours = new Map(); // for the current drawing, since looking one up is slow
 export const colour = (name) => {
   if (!colours.has(name)) colours.set(name, getComputedStyle(document.body).getPropertyValue(name).trim());
   return colours.get(name);

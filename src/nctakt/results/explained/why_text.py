@@ -230,7 +230,7 @@ def _starts_at_once(event: LifeEvent, following: LifeEvent) -> bool:
 
 def _branches(
     cycle: CycleHistory,
-    tell: Callable[[BranchHistory, CycleHistory], list[str]],
+    lines_of: Callable[[BranchHistory, CycleHistory], list[str]],
     words: Words,
 ) -> list[str]:
     lines: list[str] = []
@@ -239,7 +239,7 @@ def _branches(
         branch = cycle.branches[index]
         indent = "  " * (1 + depth - min(depths))
         lines += ["", f"{indent}{words.line(branch.span)}  {_cut(branch.text)}"]
-        lines += [f"{indent}  {line}" for line in tell(branch, cycle)]
+        lines += [f"{indent}  {line}" for line in lines_of(branch, cycle)]
     return lines
 
 

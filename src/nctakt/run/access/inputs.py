@@ -159,7 +159,7 @@ class Inputs:
         self._image_changes = tick, changes
         for change in changes:
             if change not in known:
-                self._tell(HLI, IMAGE, *change)
+                self._forward(HLI, IMAGE, *change)
 
     @property
     def has_image(self) -> bool:
@@ -183,7 +183,7 @@ class Inputs:
 
     @property
     def are_silent(self) -> bool:
-        """Whether nothing is planned and nobody listens."""
+        """Whether nothing is planned and there is no listener."""
         return self._listener is None and not self._planned
 
     @property
@@ -325,13 +325,13 @@ class Inputs:
         """Select the program file of this name for a channel, counted from 0."""
         if not 0 <= channel < len(self._channels):
             raise ValueError(channel)
-        self._tell(source, SELECT, channel, name)
+        self._forward(source, SELECT, channel, name)
         if self.on_select is not None:
             self.on_select(channel, name)
 
     def schedule(self, kind: str, *values: int) -> None:
         """Let the schedule of the coming tick have this, as a real clock has decided it."""
-        self._tell(SCHEDULE, kind, *values)
+        self._forward(SCHEDULE, kind, *values)
         if self.on_schedule is not None:
             self.on_schedule(kind, values)
 
@@ -354,7 +354,7 @@ class Inputs:
         self, channel: int, is_realtime: bool, slot: int, serial: int, name: str
     ) -> None:
         """Note a function that the realtime part has acknowledged for a PLC."""
-        self._tell(PLC, ACKNOWLEDGE, channel, is_realtime, slot, serial, name)
+        self._forward(PLC, ACKNOWLEDGE, channel, is_realtime, slot, serial, name)
 
     def acknowledge_spindle(self, channel: int, index: int, serial: int, name: str) -> None:
         """Acknowledge a spindle job as done; otherwise as ``acknowledge``."""
@@ -363,7 +363,7 @@ class Inputs:
         spindles = self._channels[channel].context.spindles
         if not spindles.acknowledge(index, serial):
             self._report_stale(name)
-        self._tell(PLC, ACKNOWLEDGE_SPINDLE, channel, index, serial, name)
+        self._forward(PLC, ACKNOWLEDGE_SPINDLE, channel, index, serial, name)
 
     def request_axis(
         self, kind: int, axis: int, value: float, speed: float, mode: int, direction: int
@@ -371,8 +371,8 @@ class Inputs:
         """Request a motion of a single axis; return its owner's number, 0 if there is no room."""
         owner = self._kernel.requests.post(kind, axis, value, speed, mode, direction)
         if owner:
-            self._tell(PLC, AXIS, kind, axis, float(value), float(speed), mode, direction)
+            self._forward(PLC, AXIS, kind, axis, float(value), float(speed), mode, direction)
         return owner
 
-    def _tell(self, source: str, kind: str, *values: float | str | bool) -> None:
+    def _forward(self, source: str, kind: str, *values: float | str | bool) -> None:
         self._notes.add(source, kind, values, None)

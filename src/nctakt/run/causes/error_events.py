@@ -87,13 +87,13 @@ from nctakt.run.realtime.assembly import AssembledMachine
 
 #: The motions of an axis that the path cannot have.
 _OWN_MOTIONS = {
-    codes.MOVES_STILL: Text(
+    codes.AXIS_MOVES: Text(
         "which is in an independent motion", "die gerade eine unabhängige Bewegung ausführt"
     ),
-    codes.MOVES_ENDLESSLY: Text(
+    codes.AXIS_MOVES_ENDLESSLY: Text(
         "which is moving endlessly beside the path", "die endlos neben der Bahn fährt"
     ),
-    codes.IS_HELD: Text("whose motion is on hold", "deren Bewegung angehalten ist"),
+    codes.AXIS_HELD: Text("whose motion is on hold", "deren Bewegung angehalten ist"),
 }
 
 

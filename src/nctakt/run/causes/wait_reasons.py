@@ -19,7 +19,7 @@ from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.hli.function_codes import function_name
 from nctakt.hli.layout import spindle_value_name
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.command_line import STANDS_FOR_EVER, WAITING_AT_RUN_LIMIT
+from nctakt.messages.commands.command_line import WAITING_AT_RUN_LIMIT, WAITS_FOREVER
 from nctakt.nc import tree
 from nctakt.nc.check.cycles.branches import BranchOutline, branch_outlines
 from nctakt.nc.parse.printer import format_expression
@@ -238,7 +238,7 @@ def _wait_reason(
     if not reason.freed_by.en:
         values["freed_by"] = NOTHING
     elif limit is not None:
-        message = STANDS_FOR_EVER
+        message = WAITS_FOREVER
         values["limit"] = limit
     return diagnostic(message, statement_span(span, line), line, **values)
 

@@ -234,15 +234,17 @@ class AssembledMachine:
         """Return the command positions of a channel's axes, in the order of its list."""
         return list(map(self.axes.positions().__getitem__, self.assembled[channel].members))
 
-    def path_stands(self, channel: int = 0) -> bool:
+    def has_path_stopped(self, channel: int = 0) -> bool:
         """Return whether the channel's path is at rest."""
         return bool(self.channels[channel].path.has_stopped())
 
-    def stands(self) -> bool:
-        """Return whether all but endless motions of axes and spindles has stopped (RC-006)."""
+    def has_stopped(self) -> bool:
+        """Return whether all but endless motions of axes and spindles have stopped (RC-006)."""
         ending = sum(channel.context.spindles.ending_count() for channel in self.channels)
         ending += self.single_axes.ending_count()
-        return ending == 0 and all(self.path_stands(channel.index) for channel in self.assembled)
+        return ending == 0 and all(
+            self.has_path_stopped(channel.index) for channel in self.assembled
+        )
 
     def environment(
         self,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* nctakt.schedule.real.processes: starts the processes of a run; named semaphores. */
+/* nctakt.schedule.real.processes: start of a run's processes; named semaphores. */
 #define PY_SSIZE_T_CLEAN
 #define _GNU_SOURCE
 #include <Python.h>
@@ -111,7 +111,7 @@ static PyObject *remove_name(PyObject *module, PyObject *arguments)
     Py_RETURN_NONE;
 }
 
-/* Wait for a moment of CLOCK_MONOTONIC without the interpreter's lock; when it came to an end. */
+/* Wait without the interpreter's lock until a time of CLOCK_MONOTONIC; return when it ended. */
 static PyObject *wait_until(PyObject *module, PyObject *argument)
 {
     (void)module;
@@ -127,7 +127,7 @@ static PyObject *wait_until(PyObject *module, PyObject *argument)
     return PyLong_FromLongLong(now);
 }
 
-/* Let the calling thread have a class and a processor; the error of the system, 0 for none. */
+/* Set scheduling class and processor of the calling thread; return errno, or 0. */
 static PyObject *place_thread(PyObject *module, PyObject *arguments)
 {
     (void)module;
@@ -151,7 +151,7 @@ static PyObject *open_name(PyObject *module, PyObject *arguments)
     return PyCapsule_New(semaphore, "nctakt.semaphore", NULL);
 }
 
-/* Give a semaphore that was opened; how many of its posts nobody had taken before. */
+/* Post an open semaphore; return how many earlier posts are still there. */
 static PyObject *post(PyObject *module, PyObject *capsule)
 {
     (void)module;

@@ -22,7 +22,7 @@ def open(name: str, /) -> Semaphore:
     """Open a named semaphore for ``post``; raises ``OSError``."""
 
 def post(semaphore: Semaphore, /) -> int:
-    """Give a semaphore; return how many of its posts nobody had taken before."""
+    """Give a semaphore; return how many earlier posts are still there."""
 
 def wait_until(moment_ns: int, /) -> int:
     """Wait for a moment of the monotonic clock, without the interpreter's lock; return the time."""

@@ -197,7 +197,7 @@ class ScheduleThreads:
         for task, semaphore in self._semaphores:
             if cycle % task.task.every == 0:
                 self._counters.due[task.number] += 1
-                if self._processes.post(semaphore):  # nobody has taken the post before
+                if self._processes.post(semaphore):  # the previous post is still there
                     self._counters.overflow(task.number, due)
                 else:
                     self._taken[task.number] = self._taken.get(task.number, 0) + 1

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The process that opens NC cycles: it waits for their moments, wakes the workers that are due,
- * and stops those that can be suspended so that the machine's other programs get their time.
+/* The process that opens NC cycles: it waits until they are due, wakes the workers that are due,
+ * and stops those that can be suspended so that other programs of the computer get their time.
  *
- * It is the workers' parent: if it dies they die, and if Python's process dies it ends the run,
- * so that nothing stays behind.
+ * It is the workers' parent: if it dies, they die, and if Python's process dies, it ends the run
+ * and removes all that was created for it.
  */
 #define _GNU_SOURCE
 #include "processes.h"
@@ -19,9 +19,9 @@
 #include <unistd.h>
 
 #define SECOND 1000000000LL
-/* A wait looks so often whether the run is to end. */
+/* How often a wait checks whether the run is to end. */
 #define LOOK 100000000LL
-/* From the moment when all are ready to the first NC interrupt. */
+/* The time from all workers being ready to the first NC interrupt. */
 #define LEAD 20000000LL
 #define PATIENCE (5 * SECOND)
 #define SCHEDULER_PRIORITY 90
@@ -50,7 +50,8 @@ static int64_t now_of(const struct area *area)
     return clock_ns(CLOCK_MONOTONIC) - area->origin;
 }
 
-static void tell(struct area *area, int kind, int64_t time, int64_t value, int64_t task, int call)
+static void log_entry(struct area *area, int kind, int64_t time, int64_t value, int64_t task,
+                      int call)
 {
     struct entry entry = {time, value, kind, (int32_t)task, call, 0};
     write_entry(area, &area->log, entry);
@@ -67,7 +68,7 @@ static void sleep_ns(int64_t length)
     nanosleep(&time, NULL);
 }
 
-/* Wait for a moment; whether it came before the run is to end. */
+/* Wait until a time; return whether it came before the end of the run. */
 static int wait_until(struct area *area, int64_t moment)
 {
     while (!is_over(area)) {
@@ -81,7 +82,7 @@ static int wait_until(struct area *area, int64_t moment)
     return 0;
 }
 
-/* Wait for a semaphore's interrupt; whether it came before `moment`. */
+/* Wait for an interrupt from a semaphore; return whether it came before `moment`. */
 static int wait_for_post(struct area *area, sem_t *source, int64_t moment)
 {
     while (!is_over(area)) {
@@ -99,8 +100,8 @@ static int wait_for_post(struct area *area, sem_t *source, int64_t moment)
     return 0;
 }
 
-/* When suspendable tasks are stopped in the cycle that begins at `begin`, as the simulation has it
- * (schedule/model.py, suspension_point). */
+/* When suspendable tasks are stopped in the cycle that begins at `begin`; the same as in the
+ * simulation (schedule/model.py, suspension_point). */
 static int64_t suspension_point(const struct area *area, int64_t begin)
 {
     int64_t before = area->cycle - area->windows, since = begin - area->phase;
@@ -133,11 +134,11 @@ static void suspend(struct area *area)
             continue;
         }
         task->is_suspended = 1;
-        tell(area, ENTRY_SUSPEND, now_of(area), atomic_load(&task->left), task->number, 0);
+        log_entry(area, ENTRY_SUSPEND, now_of(area), atomic_load(&task->left), task->number, 0);
     }
 }
 
-/* A cycle that is all Windows' leaves stopped what is stopped. */
+/* Continue suspended tasks; in a cycle that belongs to Windows entirely they stay stopped. */
 static void resume(struct area *area, int is_starved)
 {
     for (int64_t i = 0; i < area->task_count; i++) {
@@ -145,20 +146,20 @@ static void resume(struct area *area, int is_starved)
         if (!task->is_suspended)
             continue;
         task->is_suspended = 0;
-        tell(area, ENTRY_RESUME, now_of(area), atomic_load(&task->left), task->number, 0);
+        log_entry(area, ENTRY_RESUME, now_of(area), atomic_load(&task->left), task->number, 0);
         if (!is_starved)
             kill((pid_t)task->pid, SIGCONT);
     }
 }
 
-/* An activation of a task whose process is not ours: all that can be seen is the semaphore. */
+/* Activate a task whose process is not ours: only its semaphore is visible. */
 static void release_foreign(struct area *area, struct task *task)
 {
     int waiting = 0;
     sem_getvalue(task->semaphore_address, &waiting);
     if (waiting > 0)
-        tell(area, ENTRY_OVERFLOW, now_of(area), 0, task->number, 1);
-    tell(area, ENTRY_RELEASE, now_of(area), task->jobs++, task->number, 0);
+        log_entry(area, ENTRY_OVERFLOW, now_of(area), 0, task->number, 1);
+    log_entry(area, ENTRY_RELEASE, now_of(area), task->jobs++, task->number, 0);
     task->wakes = 1;
 }
 
@@ -169,7 +170,7 @@ static void release(struct area *area, struct task *task, int64_t begin)
         int keeps = task->kind == EXTERNAL || area->policy == QUEUE ||
                     (area->policy == PEND && busy == 1);
         int64_t left = atomic_load(&task->left);
-        tell(area, ENTRY_OVERFLOW, now_of(area), left, task->number, keeps);
+        log_entry(area, ENTRY_OVERFLOW, now_of(area), left, task->number, keeps);
         if (!keeps)
             return;
     }
@@ -180,12 +181,12 @@ static void release(struct area *area, struct task *task, int64_t begin)
     if (busy == 0)
         atomic_store(&task->left, job_length(area, task, task->jobs));
     ((int64_t *)AT(area, task->due))[task->jobs] = begin;
-    tell(area, ENTRY_RELEASE, now_of(area), task->jobs++, task->number, busy > 0);
+    log_entry(area, ENTRY_RELEASE, now_of(area), task->jobs++, task->number, busy > 0);
     atomic_fetch_add(&task->busy, 1);
     task->wakes = 1;
 }
 
-/* All that the NC interrupt of `number` does. */
+/* Handle the NC interrupt of `number`. */
 static void open_cycle(struct area *area, int64_t number, int64_t begin)
 {
     int is_starved = area->windows > 0 && suspension_point(area, begin) <= begin;
@@ -214,7 +215,7 @@ static void run_timed(struct area *area)
     const int64_t *moments = AT(area, area->moments);
     for (int64_t number = 0; wait_until(area, moments[number]); number++) {
         int64_t begin = moments[number];
-        tell(area, ENTRY_INTERRUPT, now_of(area), begin, 0, 0);
+        log_entry(area, ENTRY_INTERRUPT, now_of(area), begin, 0, 0);
         if (number == area->cycles)
             return;
         open_cycle(area, number, begin);
@@ -225,7 +226,7 @@ static void run_timed(struct area *area)
             continue;
         if (!wait_until(area, point))
             return;
-        tell(area, ENTRY_POINT, now_of(area), point, 0, 0);
+        log_entry(area, ENTRY_POINT, now_of(area), point, 0, 0);
         suspend(area);
     }
 }
@@ -233,13 +234,13 @@ static void run_timed(struct area *area)
 static void run_on_posts(struct area *area, sem_t *source)
 {
     int64_t number = 0;
-    /* What was posted before anybody waited is no NC interrupt. */
+    /* Posts from before this wait are no NC interrupts. */
     while (sem_trywait(source) == 0)
         area->drained++;
     int is_posted = wait_for_post(area, source, area->limit);
     while (is_posted) {
         int64_t begin = now_of(area);
-        tell(area, ENTRY_INTERRUPT, begin, begin, 0, 0);
+        log_entry(area, ENTRY_INTERRUPT, begin, begin, 0, 0);
         if (begin >= area->limit)
             return;
         open_cycle(area, number++, begin);
@@ -250,14 +251,14 @@ static void run_on_posts(struct area *area, sem_t *source)
         }
         is_posted = wait_for_post(area, source, point);
         if (!is_posted && !is_over(area)) {
-            tell(area, ENTRY_POINT, now_of(area), point, 0, 0);
+            log_entry(area, ENTRY_POINT, now_of(area), point, 0, 0);
             suspend(area);
             is_posted = wait_for_post(area, source, area->limit);
         }
     }
 }
 
-/* Start all workers and wait until they are ready; whether they are. */
+/* Start all workers and wait until they are ready; return whether they are. */
 static int start_workers(struct area *area)
 {
     int64_t wanted = 0;
@@ -304,7 +305,7 @@ static int start_workers(struct area *area)
     return !is_over(area);
 }
 
-/* Which worker has ended although nobody told it to. */
+/* Find a worker that has ended without being asked to. */
 static void find_ended(struct area *area)
 {
     for (int64_t i = 0; i < area->task_count; i++) {
@@ -340,7 +341,7 @@ static void end_workers(struct area *area)
     }
 }
 
-/* Remove what has a name in the system. */
+/* Remove all named objects of the system. */
 static void clean(struct area *area)
 {
     for (int64_t i = 0; i < area->task_count; i++) {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The process of one thread of the list: it waits for its semaphore and works as long as the load
- * says, one call after another.
+/* The process of one thread of the list: it waits for its semaphore and uses the processor for the
+ * times of the load, one call after another.
  *
- * Work is counted in the processor time of the thread, so that what interrupts it does not count.
- * When it had the processor is seen from inside: where its clock leaps, somebody else ran.
+ * Work is counted in the processor time of the thread, so that interruptions do not count.
+ * The thread itself notices when it had the processor: where its clock jumps, something else ran.
  */
 #define _GNU_SOURCE
 #include "processes.h"
@@ -15,11 +15,11 @@
 #include <time.h>
 #include <unistd.h>
 
-/* A leap of the clock, in ns, from which on somebody else had the processor. */
-#define LEAP 10000
+/* From this jump of the clock on, in ns, something else had the processor. */
+#define JUMP 10000
 #define STACK 65536
 #define PAGE 4096
-/* So much of a log is touched before the run, that no page is missing in it. */
+/* Bytes of a log that are touched before the run, so that writing causes no page fault. */
 #define TOUCHED 262144
 
 static int64_t now_of(const struct area *area)
@@ -27,14 +27,14 @@ static int64_t now_of(const struct area *area)
     return clock_ns(CLOCK_MONOTONIC) - area->origin;
 }
 
-static void tell(struct area *area, struct task *task, int kind, int64_t time, int64_t value,
-                 int call)
+static void log_entry(struct area *area, struct task *task, int kind, int64_t time, int64_t value,
+                      int call)
 {
     struct entry entry = {time, value, kind, (int32_t)task->number, call, sched_getcpu() + 1};
     write_entry(area, &task->log, entry);
 }
 
-/* Work for `length` ns from `now` on, `rest` ns are left behind it; when that is done. */
+/* Work for `length` ns from `now` on, with `rest` ns left afterwards; return when it is done. */
 static int64_t work(struct area *area, struct task *task, int call, int64_t now, int64_t length,
                     int64_t rest)
 {
@@ -43,8 +43,8 @@ static int64_t work(struct area *area, struct task *task, int call, int64_t now,
     for (;;) {
         int64_t left = end - clock_ns(CLOCK_THREAD_CPUTIME_ID);
         now = now_of(area);
-        if (now - last > LEAP) {
-            tell(area, task, ENTRY_SEGMENT, begin, last, call);
+        if (now - last > JUMP) {
+            log_entry(area, task, ENTRY_SEGMENT, begin, last, call);
             begin = now;
         }
         last = now;
@@ -52,7 +52,7 @@ static int64_t work(struct area *area, struct task *task, int call, int64_t now,
         if (left <= 0 || atomic_load_explicit(&area->stop, memory_order_relaxed))
             break;
     }
-    tell(area, task, ENTRY_SEGMENT, begin, last, call);
+    log_entry(area, task, ENTRY_SEGMENT, begin, last, call);
     return last;
 }
 
@@ -61,14 +61,14 @@ static void run_job(struct area *area, struct task *task, int64_t job)
     const int64_t *times = job_times(area, task, job);
     int64_t now = now_of(area), rest = job_length(area, task, job);
     atomic_store(&task->cpu_now, sched_getcpu() + 1);
-    tell(area, task, ENTRY_WAKE, now, job, 0);
+    log_entry(area, task, ENTRY_WAKE, now, job, 0);
     for (int64_t i = 0; i < task->calls; i++) {
         rest -= times[i];
         now = work(area, task, (int)i, now, times[i], rest);
         if (atomic_load(&area->stop))
             _exit(0);
     }
-    tell(area, task, ENTRY_END, now, job, 0);
+    log_entry(area, task, ENTRY_END, now, job, 0);
     atomic_fetch_sub(&task->busy, 1);
 }
 

@@ -29,7 +29,7 @@ from nctakt.servers.store import Scalar
 _T = TypeVar("_T")
 
 #: The name of the protocol in log and tape.
-DOOR = "ads"
+ENDPOINT = "ads"
 
 _ADDRESS = Struct("<III")
 _NOTIFICATION = Struct("<IIIIII16x")
@@ -73,7 +73,7 @@ class Access:
     def log_refusal(self, client: Client, error: AdsError) -> None:
         """Log a refusal."""
         name = f"{error.code.value:#x} {error.kind}"
-        self._host.log.refuse(DOOR, client.name, name, detail=error.reason)
+        self._host.log.refuse(ENDPOINT, client.name, name, detail=error.reason)
 
     # --- reading ---------------------------------------------------------------------------------
 
@@ -138,7 +138,7 @@ class Access:
         return self._host.store.values if self._once is None else self._once
 
     async def release(self) -> None:
-        """Release values that nobody has read for a while, and no notification sends."""
+        """Release values that were not read for a while and that no notification sends."""
         read = dict.fromkeys(
             name for item in self.symbols.used_items() for name in item.names
         )  # called once: each call returns what was read since the last
@@ -239,7 +239,7 @@ class Access:
     async def write_values(self, client: Client, values: dict[str, Scalar]) -> Error:
         """Write values; return once a tick has latched them, or why they are refused."""
         try:
-            tick = await self._host.write(values, DOOR, client.name)
+            tick = await self._host.write(values, ENDPOINT, client.name)
         except Busy:
             return Error.BUSY
         except Failure:

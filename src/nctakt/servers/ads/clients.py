@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A client of the ADS server: its handles and notifications, which nobody else can use.
+"""A client of the ADS server: its handles and notifications, which no other client can use.
 
 A client is source NetId and port of one connection: a router sends many through the same
 connection. Its handles and notifications end with the connection.

@@ -364,7 +364,7 @@ def _is_of_program(name: str) -> bool:
 
 
 def _filled(one: Described, indices: tuple[int, ...]) -> Readable:
-    """Return the target of a write; raises ``AdsError`` for one that nobody may write."""
+    """Return the target of a write; raises ``AdsError`` for a read-only one."""
     if not one.is_writable:
         raise AdsError(Error.ACCESS, f"{one.name} cannot be written")
     return one.item(indices)

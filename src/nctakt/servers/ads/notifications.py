@@ -150,7 +150,7 @@ class Notifier:
         for handle in tuple(client.notifications):
             self.delete(client, handle)
 
-    def take(self, values: Mapping[str, Scalar], tick: int) -> None:
+    def receive(self, values: Mapping[str, Scalar], tick: int) -> None:
         """Send notifications due before a tick."""
         queue = self._queue
         if tick < self._tick:  # the session has gone back

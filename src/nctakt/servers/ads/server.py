@@ -16,7 +16,7 @@ from typing import cast
 
 from nctakt.base.failure import Failure, error_text
 from nctakt.servers.address import Network, is_within, listen_at, shown_address
-from nctakt.servers.ads.access import DOOR
+from nctakt.servers.ads.access import ENDPOINT
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import TCP_PORT, AdsError, Error
 from nctakt.servers.ads.frames import (
@@ -43,7 +43,7 @@ from nctakt.session.listening import Frame as SessionFrame
 
 PORT = TCP_PORT
 
-#: How often values that nobody has read meanwhile are released, in seconds.
+#: How often values that were not read meanwhile are released, in seconds.
 RELEASE_S = 30.0
 
 #: Where addresses that mean all interfaces of a machine can be reached from itself.
@@ -107,7 +107,7 @@ class AdsEndpoint:
         return True
 
     def _take_frame(self, frame: SessionFrame) -> None:
-        self.service.notifier.take(frame.values, frame.tick)
+        self.service.notifier.receive(frame.values, frame.tick)
 
     async def _release(self) -> None:
         """Release values that are no longer read."""
@@ -170,7 +170,7 @@ class Connection(asyncio.Protocol):
         elif len(self._endpoint.connections) >= MAX_CONNECTIONS and not self._endpoint.make_room():
             reason = "too many connections"
         if reason:
-            self._log.refuse(DOOR, self._address, reason)
+            self._log.refuse(ENDPOINT, self._address, reason)
             self._transport.abort()
             self._transport = None
             return
@@ -179,14 +179,14 @@ class Connection(asyncio.Protocol):
         watch(transport)
         self.asked_s = self._endpoint.host.loop.time()
         self._deadline = Deadline(self._endpoint.host.loop, HEADER.size, self._end_late)
-        self._log.visit("connected", DOOR, self._address, peer=self.peer)
+        self._log.visit("connected", ENDPOINT, self._address, peer=self.peer)
 
     def connection_lost(self, exc: Exception | None) -> None:
         """End: handles and notifications end with it; a write that is whole is still done."""
         self._forget()
         if self._transport is not None:
             self._transport = None
-            self._log.visit("disconnected", DOOR, self._address, peer=self.peer)
+            self._log.visit("disconnected", ENDPOINT, self._address, peer=self.peer)
 
     @property
     def is_idle(self) -> bool:
@@ -199,7 +199,7 @@ class Connection(asyncio.Protocol):
         return sum(len(one.handles) for one in self._clients.values())
 
     def _end_late(self, reason: str) -> None:
-        self._log.refuse(DOOR, self._address, reason)
+        self._log.refuse(ENDPOINT, self._address, reason)
         self.end(reason)
 
     def _forget(self) -> None:
@@ -215,7 +215,7 @@ class Connection(asyncio.Protocol):
         transport, self._transport = self._transport, None
         self._forget()
         if transport is not None:
-            self._log.visit("disconnected", DOOR, self._address, peer=self.peer, reason=reason)
+            self._log.visit("disconnected", ENDPOINT, self._address, peer=self.peer, reason=reason)
             transport.close()
             if transport.get_write_buffer_size():
                 transport.abort()
@@ -244,7 +244,7 @@ class Connection(asyncio.Protocol):
                     if client.begins:
                         begins.append(client)
         except FrameError as error:
-            self._log.refuse(DOOR, self._address, "not a frame of AMS", detail=str(error))
+            self._log.refuse(ENDPOINT, self._address, "not a frame of AMS", detail=str(error))
             self._write(b"".join(answers))
             self.end("not a frame of AMS")
             return
@@ -263,7 +263,7 @@ class Connection(asyncio.Protocol):
         client = self._clients.get(key)
         if client is None:
             if len(self._clients) >= MAX_CLIENTS:
-                self._log.refuse(DOOR, self.peer, "too many clients")
+                self._log.refuse(ENDPOINT, self.peer, "too many clients")
                 return None
             client = self._clients[key] = Client(*key, self._notify, self)
         return client
@@ -272,11 +272,11 @@ class Connection(asyncio.Protocol):
         """Return the answer to a request, ``None`` if it comes later."""
         permitted = self._endpoint.permitted
         if permitted and client.net_id not in permitted:
-            self._log.refuse(DOOR, client.name, "the NetId is not permitted")
+            self._log.refuse(ENDPOINT, client.name, "the NetId is not permitted")
             return frame.answer(b"", Error.SYMBOL)
         if frame.target_id != self._endpoint.net_id:
             detail = shown_net_id(frame.target_id)
-            self._log.refuse(DOOR, client.name, "for another NetId", detail=detail)
+            self._log.refuse(ENDPOINT, client.name, "for another NetId", detail=detail)
             return frame.answer(b"", Error.MACHINE_UNKNOWN)
         try:
             answer = self._service.answer(client, frame)
@@ -310,7 +310,7 @@ class Connection(asyncio.Protocol):
 
     def _broken(self, client: Client, frame: Frame, error: Exception) -> bytes:
         """Return the answer to a request that hit an internal error of nctakt."""
-        self._log.error("request", endpoint=DOOR, client=client.name, reason=error_text(error))
+        self._log.error("request", endpoint=ENDPOINT, client=client.name, reason=error_text(error))
         return frame.answer(b"", Error.INTERNAL)
 
     # --- what the client takes ------------------------------------------------------------------
@@ -324,7 +324,7 @@ class Connection(asyncio.Protocol):
         if self._transport is None:
             return
         if self._transport.get_write_buffer_size() > MAX_UNREAD:
-            self._log.refuse(DOOR, self.peer, "does not take its notifications")
+            self._log.refuse(ENDPOINT, self.peer, "does not take its notifications")
             self._transport.abort()
             self.end("does not take its notifications")
             return

@@ -17,7 +17,7 @@ from typing import Any
 from nctakt.base.failure import Failure
 from nctakt.base.version import __version__
 from nctakt.nc.vocabulary.variables import strings
-from nctakt.servers.ads.access import Access, Missing
+from nctakt.servers.ads.access import ENDPOINT, Access, Missing
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import AdsError, Command, Error, Group, Port, State
 from nctakt.servers.ads.decoder_variables import DecoderVariables
@@ -28,7 +28,6 @@ from nctakt.servers.host import Host, Key
 from nctakt.servers.store import Scalar
 
 #: The name of the protocol in log and tape.
-DOOR = "ads"
 
 #: How long after the answer the first value of a notification comes, in seconds.
 FIRST_S = 0.01
@@ -151,7 +150,7 @@ class Service:
     async def _select(self, client: Client, program: str, channel: int) -> bytes:
         """Select a program file; one that is refused is logged with the reason."""
         try:
-            await self._host.select(program, channel, DOOR, client.name)
+            await self._host.select(program, channel, ENDPOINT, client.name)
         except Failure:
             return _NUMBER.pack(Error.PARAMETER)
         return _NUMBER.pack(0)

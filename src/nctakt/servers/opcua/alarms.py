@@ -123,34 +123,34 @@ class Alarms:
 
     # --- events ---------------------------------------------------------------------------------
 
-    def take(self, notice: ServerNotice) -> None:
+    def receive(self, notice: ServerNotice) -> None:
         """Send a notice to the subscribers."""
         if notice.kind == "message" and notice.message is not None:
-            self._tell_message(notice.message)
+            self._report_message(notice.message)
         elif notice.kind == "diagnostic" and notice.diagnostic is not None:
             self._take_diagnostic(notice.diagnostic, notice.tick)
         elif notice.kind in ("refused", "ended", "stopped"):
             time = self._clock.time(notice.tick)
-            self._tell_event(0, notice_text(notice), time, _MESSAGE_SEVERITY)
+            self._report_event(0, notice_text(notice), time, _MESSAGE_SEVERITY)
 
-    def _tell_message(self, message: ProgramMessage) -> None:
+    def _report_message(self, message: ProgramMessage) -> None:
         channel = message.channel or 1
         tick = message.time_us // self._clock.cycle_time_us
         text = Text(message.text, message.text)
-        self._tell_event(channel, text, self._clock.time(tick), _MESSAGE_SEVERITY)
+        self._report_event(channel, text, self._clock.time(tick), _MESSAGE_SEVERITY)
 
     def _take_diagnostic(self, found: Diagnostic, tick: int) -> None:
         severity, time = _SEVERITIES[found.severity], self._clock.time(tick)
         if found.severity is not Severity.ERROR:
             text = Text(f"{found.id}: {found.text('en')}", f"{found.id}: {found.text('de')}")
-            self._tell_event(0, text, time, severity, found)
+            self._report_event(0, text, time, severity, found)
             return
         self._serial += 1
         node = self._machine.id(f"Alarm.{found.id}.{self._serial}")
         alarm = Alarm(node, found, self._channel_of(found.id), time)
         self._make_room()
         self._alarms[node] = alarm
-        self._tell_alarm(alarm, time)
+        self._report_alarm(alarm, time)
 
     def _channel_of(self, number: int) -> int:
         """Return the channel that has an error of this number; 0: none yet."""
@@ -176,7 +176,7 @@ class Alarms:
                     alarm.channel = number
                 elif is_its_own and before == alarm.found.id:
                     alarm.is_active = False
-                    self._tell_alarm(alarm, self._clock.time(self._host.store.tick))
+                    self._report_alarm(alarm, self._clock.time(self._host.store.tick))
 
     # --- events ---------------------------------------------------------------------------------
 
@@ -195,7 +195,7 @@ class Alarms:
         self._serial += 1
         return hashlib.sha256(f"{self._clock.unix_us(0)} {self._serial}".encode()).digest()[:16]
 
-    def _tell_event(
+    def _report_event(
         self,
         channel: int,
         text: Text,
@@ -232,7 +232,7 @@ class Alarms:
         fields["ErrorCode"] = event.values["AlarmIdentifier"]
         self._send(Event(type_, event.id, fields), self._tool_notifiers)
 
-    def _tell_alarm(self, alarm: Alarm, time: datetime) -> None:
+    def _report_alarm(self, alarm: Alarm, time: datetime) -> None:
         event = self._event_of(alarm, time)
         self._send(event, self._notifiers(alarm.channel))
         self._send_alert(event)
@@ -276,7 +276,7 @@ class Alarms:
         for subscription in self._subscriptions.subscriptions.values():
             language = self._subscriptions.language_of(subscription)
             seen = SeenEvent(event, language, self._event_types)
-            subscription.tell_event(seen, notifiers)
+            subscription.notify_event(seen, notifiers)
 
     # --- answers of clients ---------------------------------------------------------------------
 
@@ -308,7 +308,7 @@ class Alarms:
             client=session.client,
             alarm=alarm.found.id,
         )
-        self._tell_alarm(alarm, self._clock.time(self._host.store.tick))
+        self._report_alarm(alarm, self._clock.time(self._host.store.tick))
         return 0
 
     def refresh(self, session: Client, number: int, item: int | None) -> int:
@@ -326,7 +326,7 @@ class Alarms:
             seen = SeenEvent(event, session.language, self._event_types)
             for known in subscription.items.values():
                 if known.is_event and item in (None, known.id):
-                    subscription.tell_item(seen, known)
+                    subscription.notify_item(seen, known)
         return 0
 
     def _around(self, number: int, time: datetime) -> Event:

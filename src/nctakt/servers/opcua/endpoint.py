@@ -101,9 +101,9 @@ class OpcuaEndpoint:
         _, address = await listen_at("OPC UA", self._address, self.server.listen)
         self._tasks = [asyncio.get_running_loop().create_task(self._look())]
         self._unlisten = [
-            host.notices.listen(self._alarms.take),
+            host.notices.listen(self._alarms.receive),
             host.store.listen(lambda _: self._alarms.look()),
-            host.store.listen(self.tool.states.take),
+            host.store.listen(self.tool.states.receive),
         ]
         if self.security is not None and self.security.made_password:
             host.log.note("first user", endpoint="opcua", folder=str(self.security.folder))

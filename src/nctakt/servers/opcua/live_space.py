@@ -21,7 +21,7 @@ from nctakt.servers.clock import MachineClock
 from nctakt.servers.host import Host
 from nctakt.servers.opcua.clients.publishing import now_units
 from nctakt.servers.opcua.library import AddressSpace, variant_to_binary
-from nctakt.servers.opcua.values import Live, Moment, Sample
+from nctakt.servers.opcua.values import Live, Sample, ValueSnapshot
 from nctakt.session.listening import Frame
 
 #: Maximum age of the data about realtime cycles and channels, in seconds.
@@ -30,7 +30,7 @@ _GLANCE_AGE_S = 0.02
 #: Ticks whose blocks are remembered: frames that come during a request to the session.
 _REMEMBERED = 1000
 
-#: How long values that nobody watches any more still come, in seconds.
+#: How long values still come after the last client has stopped watching them, in seconds.
 _RELEASE_S = 1.0
 
 
@@ -43,8 +43,8 @@ class LiveSpace:
         self.live: dict[ua.NodeId, Live] = {}
         self._host = host
         self._watched: dict[int, tuple[Live, int]] = {}
-        self._latest = Moment(0, {}, {})
-        self._glanced = Moment(0, {}, {})
+        self._latest = ValueSnapshot(0, {}, {})
+        self._glanced = ValueSnapshot(0, {}, {})
         self._glance_s = -1.0
         self._blocks: deque[tuple[int, Mapping[int, Span]]] = deque(maxlen=_REMEMBERED)
         host.store.listen(self._remember)
@@ -62,7 +62,7 @@ class LiveSpace:
 
     # --- monitored values -----------------------------------------------------------------------
 
-    async def watch(self, lives: Sequence[Live]) -> Moment:
+    async def watch(self, lives: Sequence[Live]) -> ValueSnapshot:
         """Subscribe the values of these nodes for one more watcher.
 
         Return a moment that has them.
@@ -102,7 +102,7 @@ class LiveSpace:
     def _remember(self, frame: Frame) -> None:
         self._blocks.append((frame.tick, frame.blocks))
 
-    async def refresh(self, lives: Sequence[Live]) -> Moment:
+    async def refresh(self, lives: Sequence[Live]) -> ValueSnapshot:
         """Return a moment for nodes that somebody watches.
 
         It is the latest; if cycles and channels are needed, that of their latest request.
@@ -111,7 +111,7 @@ class LiveSpace:
         if not any(live.needs_glance for live in lives):
             if store.values is not self._latest.values or store.tick != self._latest.tick:
                 blocks = {} if store.frame is None else store.frame.blocks
-                self._latest = Moment(store.tick, store.values, blocks)
+                self._latest = ValueSnapshot(store.tick, store.values, blocks)
             return self._latest
         loop = asyncio.get_running_loop()
         for _ in range(2):  # the second time for nodes that were not yet watched the first time
@@ -134,15 +134,15 @@ class LiveSpace:
             self._asking = None
         self._glance_s = asyncio.get_running_loop().time()
 
-    async def _glance(self, names: Iterable[str]) -> Moment:
+    async def _glance(self, names: Iterable[str]) -> ValueSnapshot:
         """Ask the session for a moment with cycles and channels; raises ``Failure``."""
         asked_for = list(names)
         state_view = await self._host.ask(self._host.session.state_view, *asked_for)
         values = dict(zip(asked_for, state_view.values, strict=True))
         known = (blocks for tick, blocks in reversed(self._blocks) if tick <= state_view.tick)
-        return Moment(state_view.tick, values, next(known, {}), state_view)
+        return ValueSnapshot(state_view.tick, values, next(known, {}), state_view)
 
-    def sample(self, live: Live, moment: Moment) -> Sample:
+    def sample(self, live: Live, moment: ValueSnapshot) -> Sample:
         """Return the value of a monitored node at a moment."""
         return live.sample(moment, self.clock, now_units())
 
@@ -152,7 +152,7 @@ class LiveSpace:
 
     # --- values that are read once --------------------------------------------------------------
 
-    async def read(self, lives: Sequence[Live]) -> Moment:
+    async def read(self, lives: Sequence[Live]) -> ValueSnapshot:
         """Return the moment at which to read these nodes, all of the same tick."""
         names = dict.fromkeys(name for live in lives for name in live.names)
         needs_glance = any(live.needs_glance for live in lives)

@@ -22,7 +22,7 @@ from nctakt.servers.opcua.clients.security import (
     Security,
     application_uri,
 )
-from nctakt.servers.opcua.clients.sessions import DOOR, ClientSession
+from nctakt.servers.opcua.clients.sessions import ENDPOINT, ClientSession
 from nctakt.servers.opcua.library import LibraryInternalServer, LibraryServer, ServiceError
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.machine_services import MachineServices
@@ -68,7 +68,7 @@ class CncInternalServer(LibraryInternalServer):
         assert self.services is not None
         for one in self.client_sessions:
             if one.session_id == session_id:
-                self.services.host.log.refuse(DOOR, one.client, reason)
+                self.services.host.log.refuse(ENDPOINT, one.client, reason)
 
     def make_room(self) -> bool:
         """End an unused session; return whether there was any."""
@@ -77,7 +77,9 @@ class CncInternalServer(LibraryInternalServer):
         if found is None:
             return False
         unused, reason = found
-        self.services.host.log.refuse(DOOR, unused.client, f"{reason}, and its place was needed")
+        self.services.host.log.refuse(
+            ENDPOINT, unused.client, f"{reason}, and its place was needed"
+        )
         self.unregister_external_session(unused)
         self.subscription_service.expire_all(unused.session_id)
         task = asyncio.get_running_loop().create_task(unused.close_session(False))

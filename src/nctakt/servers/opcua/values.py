@@ -66,7 +66,7 @@ class NotSupported(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Moment:
+class ValueSnapshot:
     """A session at a single tick.
 
     ``blocks``: the place of the current block of each channel. ``state_view``: cycles and channels,
@@ -103,7 +103,7 @@ class Live:
     """
 
     kind: ua.VariantType
-    read: Callable[[Moment], Value]
+    read: Callable[[ValueSnapshot], Value]
     names: tuple[str, ...] = ()
     is_array: bool = False
     needs_glance: bool = False
@@ -112,10 +112,10 @@ class Live:
     signal: str = ""
     factor: float = 1.0
     range: tuple[float, float] | None = None
-    _moment: Moment | None = field(default=None, init=False)
+    _moment: ValueSnapshot | None = field(default=None, init=False)
     _sample: Sample | None = field(default=None, init=False)
 
-    def sample(self, moment: Moment, clock: MachineClock, now_units: int) -> Sample:
+    def sample(self, moment: ValueSnapshot, clock: MachineClock, now_units: int) -> Sample:
         """Return its value at a moment; the same object for the same moment."""
         if moment is self._moment and self._sample is not None:
             return self._sample
@@ -131,7 +131,7 @@ class Live:
         self._moment, self._sample = moment, Sample(value, status, content, wire)
         return self._sample
 
-    def _content(self, moment: Moment) -> tuple[Value, int, bytes]:
+    def _content(self, moment: ValueSnapshot) -> tuple[Value, int, bytes]:
         try:
             value = self.read(moment)
         except NotSupported as reason:
@@ -154,7 +154,7 @@ class Live:
         variant = ua.Variant(value, self.kind, is_array=self.is_array)
         return bytes(variant_to_binary(variant))
 
-    def data_value(self, moment: Moment, clock: MachineClock) -> ua.DataValue:
+    def data_value(self, moment: ValueSnapshot, clock: MachineClock) -> ua.DataValue:
         """Return its value at a moment as the library shows it."""
         value, status, _ = self._content(moment)
         variant = ua.Variant(value, self.kind, is_array=self.is_array) if status == 0 else None

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.session.history.branch import Branch
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 
 #: Ticks that are compared at once: at first, and at most.
 _FIRST_PART, _LARGEST_PART = 16, 1024

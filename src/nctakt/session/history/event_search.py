@@ -15,7 +15,7 @@ from nctakt.session.engine import FoundEvents
 from nctakt.session.history.record import ticks_of
 from nctakt.session.history.rerun import PastRerun
 from nctakt.session.history.timeline import SEARCHED_GROWTH, SEARCHED_US
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 
 #: Result of a search between two stretches: it continues.
 Step = FoundEvents | None

@@ -9,7 +9,7 @@ from __future__ import annotations
 from nctakt.base.dataclass import dataclass
 from nctakt.session.history.branch import Branch
 from nctakt.session.history.parking import MAX_PARKED, surplus
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 
 
 @dataclass(frozen=True, slots=True)

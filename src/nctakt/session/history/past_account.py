@@ -9,7 +9,7 @@ from __future__ import annotations
 from nctakt.base.diagnostics import Language
 from nctakt.session.history.record import ticks_of
 from nctakt.session.history.rerun import PastRerun
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.timing.table import TitledTables
 
 
@@ -24,7 +24,7 @@ class PastAccount(PastRerun):
         return 0 if self._engine is None else self._engine.tick
 
     def advance(self, count: int) -> bool:
-        """Account for up to so many further ticks; return whether there were any.
+        """Account for up to ``count`` further ticks; return whether there were any.
 
         Raises ``Failure`` if the past cannot be rerun (901901).
         """

@@ -19,8 +19,8 @@ from nctakt.session.history.parked import Parked, ParkedControllers
 from nctakt.session.history.past import Past
 from nctakt.session.history.record import check_programs, first_difference, past_differs, ticks_of
 from nctakt.session.history.timeline import PART_TICKS, Poll
+from nctakt.session.process.process_pool import ProcessPool, RemoteEngine
 from nctakt.session.process.worker import can_fork
-from nctakt.session.process.workshop import ProcessPool, RemoteEngine
 
 #: Maximum number of copies left on the way.
 MAX_KEPT = 12

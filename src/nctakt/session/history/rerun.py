@@ -14,7 +14,7 @@ from nctakt.session.history.branch import Branch
 from nctakt.session.history.record import PastMark, first_difference, past_differs
 from nctakt.session.history.timeline import Timeline, next_part
 from nctakt.session.history.trail import Mark
-from nctakt.session.process.workshop import RemoteEngine
+from nctakt.session.process.process_pool import RemoteEngine
 
 
 class PastRerun:
@@ -39,7 +39,7 @@ class PastRerun:
         return self._branch.latest
 
     def _controller(self, end: int, work_us: float) -> tuple[RemoteEngine, float]:
-        """Return a controller before a stretch, which nobody else asks, and its work."""
+        """Return a controller before a stretch, for this rerun alone, and its work."""
         return self._ask(self._apart, end, work_us)  # type: ignore[no-any-return]
 
     def _apart(self, end: int, work_us: float) -> tuple[RemoteEngine, float]:

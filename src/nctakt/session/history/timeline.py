@@ -38,7 +38,7 @@ from nctakt.session.history.record import (
     past_differs,
     ticks_of,
 )
-from nctakt.session.process.workshop import ProcessPool, RemoteEngine
+from nctakt.session.process.process_pool import ProcessPool, RemoteEngine
 from nctakt.session.schedules import CLOSE, RESTART, TABLE
 from nctakt.session.setup import Setup
 from nctakt.session.stops import BLOCKS, StopAt
@@ -82,15 +82,15 @@ class Timeline:
     def __init__(self, setup: Setup, poll: Poll) -> None:
         self._setup = setup
         self._poll = poll
-        self._workshop = ProcessPool()
+        self._pool = ProcessPool()
         try:
-            self._live, self.description = self._workshop.open(setup)
+            self._live, self.description = self._pool.open(setup)
         except BaseException:
-            self._workshop.close()
+            self._pool.close()
             raise
         self._has_past = setup.rtconf is None
         # a controller with threads cannot be copied
-        self._can_copy = self._workshop.can_copy and self._has_past
+        self._can_copy = self._pool.can_copy and self._has_past
         self.branch = Branch(1, None, 0, list(self.description.inputs))
         self.branches = [self.branch]
         self._plc: dict[int, list[Input]] = {1: []}
@@ -321,7 +321,7 @@ class Timeline:
         if is_front and self._setup.plcs:
             with contextlib.suppress(Failure):  # a controller that is gone is abandoned
                 self._park()  # whatever holds a file open shows now
-        before_us, copies = self.branch.work_at(self.tick), self._workshop.copies
+        before_us, copies = self.branch.work_at(self.tick), self._pool.copies
         self._confirmed.enter(target.number)
         engine = self._on_the_way(target, tick)
         begin_us = target.work_at(engine.tick)
@@ -340,7 +340,7 @@ class Timeline:
         present_us = target.work_at(tick)
         self._parked.keep_candidate(present_us)
         self._live, self.branch, self._fault = engine, target, None
-        spent_us = present_us - begin_us + COPY_US * (self._workshop.copies - copies)
+        spent_us = present_us - begin_us + COPY_US * (self._pool.copies - copies)
         self._refine(spent_us, is_step=abs(present_us - before_us) < SPARSE_US)
         return done
 
@@ -377,7 +377,7 @@ class Timeline:
 
     def _woken(self, target: Branch, parked: Parked | None) -> RemoteEngine:
         """Return a copy of a parked controller with the inputs of a branch, else a new one."""
-        engine = self._workshop.open(self._setup)[0] if parked is None else parked.engine.copy()
+        engine = self._pool.open(self._setup)[0] if parked is None else parked.engine.copy()
         if parked is not None and parked.tick == 0 and not self._is_warm:
             parked.engine.order("warm_up")  # while the first copy runs
             self._is_warm = True
@@ -461,7 +461,7 @@ class Timeline:
             try:
                 spent_us += self._fill(older, mark, limit_us)
             except Failure:
-                return  # whoever goes there learns why; nobody has asked yet
+                return  # going there reports the reason; here it is not needed
 
     def _fill(self, older: Parked, mark: PastMark, limit_us: float) -> float:
         """Bring a copy of a parked controller to a mark, or some work nearer; return the work."""
@@ -713,7 +713,7 @@ class Timeline:
 
     def abandon(self) -> None:
         """Kill a controller that does not answer; callable from any thread."""
-        self._workshop.abandon()
+        self._pool.abandon()
 
     def close(self) -> None:
         """Let all controllers end."""
@@ -724,7 +724,7 @@ class Timeline:
             with contextlib.suppress(Failure, RuntimeError):
                 self._live.ask("schedule", CLOSE)
         self._live.close()
-        self._workshop.close()
+        self._pool.close()
 
 
 def _asked(marks: Sequence[PastMark], near: Sequence[int]) -> list[int]:

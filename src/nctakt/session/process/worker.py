@@ -176,7 +176,7 @@ def main() -> None:
     key = sys.stdin.buffer.read(KEY_SIZE)
     interrupts.ignore()  # they may go to a whole group; the session ends its workers itself
     if can_fork():
-        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for the copies
+        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the copies are not waited for
     worker = Worker(sys.argv[1], key)
     with contextlib.suppress(OSError, EOFError):  # the session has ended meanwhile
         worker.connect(sys.argv[2])

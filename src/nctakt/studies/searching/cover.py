@@ -39,7 +39,7 @@ _MAX_KNOWN = 64
 _STEP_FACTOR = 8
 
 #: Numbers of each dimension that are tried one after another where no step helps; only of
-#: dimensions with at most so many, as times have.
+#: dimensions with at most ``_MAX_SWEPT``, as times have.
 _SWEPT, _MAX_SWEPT = 16, 1 << 12
 
 #: The result of a run: its distance to each branch.

@@ -374,8 +374,8 @@ class PathMotion:
             self._check_extremes_of(pieces, span, message)
             return
         axis_check = self._environment.offsets.transformation.axis_check
-        standing = axis_check.standing()
-        axis_check.start_at(standing if near is None else near)
+        axes_at_end = axis_check.axes_at_end()
+        axis_check.start_at(axes_at_end if near is None else near)
         for piece in pieces:
             points = [
                 cubics.point(piece, number / LIMIT_LINES) for number in range(LIMIT_LINES + 1)
@@ -383,7 +383,7 @@ class PathMotion:
             for start, target in pairwise(points):
                 self.check_way(list(start), list(target), None, span)
         if near is not None:
-            axis_check.start_at(standing)
+            axis_check.start_at(axes_at_end)
 
     def _check_extremes_of(
         self, pieces: Sequence[cubics.Cubic], span: Span, message: Message

@@ -102,9 +102,9 @@ def read_length(context: PlcContext, at: int, end: int) -> float:
     total = 0.0
     while at < end and digits.digit_of(context, at, 10) >= 0:
         number = digits.read_real(context, at, end)
-        at = digits.behind_digits(context, at, end)
+        at = digits.skip_digits(context, at, end)
         if at < end and words.load(context.memory, at, kinds.U8) == characters.POINT:
-            at = digits.behind_digits(context, at + 1, end)
+            at = digits.skip_digits(context, at + 1, end)
         unit = unit_at(context, at, end)
         total += number * unit
         at += 2 if unit < 2.0 else 1
@@ -154,20 +154,20 @@ def read_moment(context: PlcContext, at: int, end: int, shown: int) -> int:
     seconds = 0
     if shown != kinds.TIME_OF_DAY:
         year = number_at(context, at, end)
-        at = digits.behind_digits(context, at, end) + 1
+        at = digits.skip_digits(context, at, end) + 1
         month = number_at(context, at, end)
-        at = digits.behind_digits(context, at, end) + 1
+        at = digits.skip_digits(context, at, end) + 1
         day = number_at(context, at, end)
-        at = digits.behind_digits(context, at, end) + 1
+        at = digits.skip_digits(context, at, end) + 1
         if year < 1970 or year > 2106 or month < 1 or month > 12 or day < 1 or day > 31:
             return 0
         seconds = 86400 * day_of(year, month, day)
         if shown == kinds.DATE:
             return seconds
     hour = number_at(context, at, end)
-    at = digits.behind_digits(context, at, end) + 1
+    at = digits.skip_digits(context, at, end) + 1
     minute = number_at(context, at, end)
-    at = digits.behind_digits(context, at, end) + 1
+    at = digits.skip_digits(context, at, end) + 1
     if hour < 0 or hour > 23 or minute < 0 or minute > 59:
         return 0
     seconds += 3600 * hour + 60 * minute

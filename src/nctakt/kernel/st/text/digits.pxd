@@ -49,9 +49,9 @@ cdef long long read_digits(
     PlcContext context, long long at, long long end, long long base
 ) noexcept nogil
 
-cdef long long behind_digits(PlcContext context, long long at, long long end) noexcept nogil
+cdef long long skip_digits(PlcContext context, long long at, long long end) noexcept nogil
 
-@cython.locals(is_negative=bint, behind=cython.longlong, value=cython.longlong)
+@cython.locals(is_negative=bint, after=cython.longlong, value=cython.longlong)
 cdef long long read_whole(PlcContext context, long long at, long long end) noexcept nogil
 
 @cython.locals(i=cython.longlong, first=cython.longlong, exponent=cython.longlong)

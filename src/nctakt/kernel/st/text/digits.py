@@ -164,7 +164,7 @@ def read_digits(context: PlcContext, at: int, end: int, base: int) -> int:
     return value
 
 
-def behind_digits(context: PlcContext, at: int, end: int) -> int:
+def skip_digits(context: PlcContext, at: int, end: int) -> int:
     """Return the address after the decimal digits that begin there."""
     while at < end:
         if digit_of(context, at, 10) < 0:
@@ -180,11 +180,11 @@ def read_whole(context: PlcContext, at: int, end: int) -> int:
     is_negative = at < end and words.load(context.memory, at, kinds.U8) == characters.MINUS
     if is_negative or (at < end and words.load(context.memory, at, kinds.U8) == characters.PLUS):
         at += 1
-    behind = behind_digits(context, at, end)
-    value = read_digits(context, at, behind, 10)
-    if behind < end and words.load(context.memory, behind, kinds.U8) == characters.HASH:
+    after = skip_digits(context, at, end)
+    value = read_digits(context, at, after, 10)
+    if after < end and words.load(context.memory, after, kinds.U8) == characters.HASH:
         if value in (characters.BINARY, characters.OCTAL, characters.HEXADECIMAL):
-            value = read_digits(context, behind + 1, end, value)
+            value = read_digits(context, after + 1, end, value)
     return words.subtract(0, value) if is_negative else value
 
 

@@ -127,10 +127,10 @@ class ExchangeChecker:
 
 
 _C_AXIS_MEANING = Text(
-    "the spindle stops, and its axis stands at the first free index from 3 on, at the spindle's "
+    "the spindle stops, and its axis takes the first free index from 3 on, at the spindle's "
     "angle; #CAX OFF or the next program ends it",
-    "die Spindel hält an, und ihre Achse steht am ersten freien Index ab 3, im Winkel der Spindel; "
-    "#CAX OFF oder das nächste Programm beendet es",
+    "die Spindel hält an, und ihre Achse bekommt den ersten freien Index ab 3, im Winkel der "
+    "Spindel; #CAX OFF oder das nächste Programm beendet es",
 )
 
 

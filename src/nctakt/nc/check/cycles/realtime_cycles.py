@@ -143,7 +143,7 @@ class CycleChecker:
     def _has_round_brackets(self, statement: Statement) -> bool:
         """Return whether the keywords are in a comment; report it."""
         sign = replace(statement.span, end_column=statement.span.column + 1)
-        text, span = self._findings.behind(sign)
+        text, span = self._findings.text_after(sign)
         match = _KEYWORDS_IN_COMMENT.search(text)
         if match is None:
             return False

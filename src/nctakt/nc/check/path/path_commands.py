@@ -28,7 +28,7 @@ from nctakt.messages.programs.checked_blocks import (
 from nctakt.messages.programs.checked_cycles import DUPLICATE_KEYWORD
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path.path_notes import check_old_slope, tell_curve, tell_simplified
+from nctakt.nc.check.path.path_notes import check_old_slope, report_curve, report_simplified
 from nctakt.nc.meaning.path import (
     CONTOURING_FORM,
     CORNER_NUMBERS,
@@ -114,7 +114,7 @@ def check_path_command(
         forms = forms_of(f"#{_without_switch(name)}")
         findings.report(INVALID_COMMAND_FORM, command.span, command=f"#{name}", forms=forms)
         return True
-    tell_curve(command, name, findings)
+    report_curve(command, name, findings)
     for names in (CONTOUR_MODES, ACTIONS, HSC_CURVES):
         given = [item for item in keywords(command) if item.name in names]
         others = [item for item in given if item.name != given[0].name]
@@ -132,7 +132,7 @@ def check_path_command(
         for item in argument.items:
             check_item(form, f"#{name}", item, values, findings)
             if isinstance(item, Keyword):
-                tell_simplified(f"#{name}", item, argument.items, findings)
+                report_simplified(f"#{name}", item, argument.items, findings)
     return True
 
 

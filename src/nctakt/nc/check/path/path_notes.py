@@ -77,13 +77,13 @@ _VECTOR_NOTES = {
 }
 
 
-def tell_curve(command: HashCommand, name: str, findings: Findings) -> None:
+def report_curve(command: HashCommand, name: str, findings: Findings) -> None:
     """Report once which contour ``#HSC ON`` has."""
     if name == "HSC ON":
         findings.report_simplified("#HSC", HSC_CONTOUR, command.span)
 
 
-def tell_simplified(
+def report_simplified(
     command: str, item: Keyword, items: Sequence[Keyword | Expression], findings: Findings
 ) -> None:
     """Report what a keyword of a checked command does where the sources are silent."""

@@ -17,7 +17,7 @@ from nctakt.servers.opcua.clients.monitoring import Item, data_filter
 from nctakt.servers.opcua.clients.subscription import Subscription
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.live_space import LiveSpace
-from nctakt.servers.opcua.values import Moment
+from nctakt.servers.opcua.values import ValueSnapshot
 
 _DISABLED = ua.MonitoringMode.Disabled
 
@@ -132,7 +132,7 @@ class MonitoredItems:
             if item.mode != _DISABLED:
                 self._look(item, moment)
 
-    def _look(self, item: Item, moment: Moment) -> None:
+    def _look(self, item: Item, moment: ValueSnapshot) -> None:
         if item.is_event:
             return
         if item.live is None:

@@ -148,7 +148,7 @@ class Security:
     def trusted(self) -> TrustList | None:
         """Return whose certificates are trusted, ``None`` if all are: without a folder of them.
 
-        Nobody's are while it cannot be read. It is reread for each session: added and removed files
+        None are while it cannot be read. It is reread for each session: added and removed files
         count at once.
         """
         try:

@@ -23,7 +23,7 @@ from nctakt.servers.opcua.machine_services import MachineServices
 from nctakt.servers.opcua.values import Live
 
 #: The endpoint's name in the log and in the sources of inputs.
-DOOR = "opcua"
+ENDPOINT = "opcua"
 
 
 class ClientSession(InternalSession):
@@ -142,14 +142,16 @@ class ClientSession(InternalSession):
             return self._refused(one, "wrong type", codes.BadTypeMismatch)
         value = variant.Value if live.to_session is None else live.to_session(variant.Value)
         try:
-            return 0, await self.services.host.write({live.write_name: value}, DOOR, self.client)
+            return 0, await self.services.host.write(
+                {live.write_name: value}, ENDPOINT, self.client
+            )
         except Failure:
             return int(codes.BadOutOfRange), None
         except Busy:
             return int(codes.BadTooManyOperations), None
 
     def _refused(self, one: ua.WriteValue, reason: str, status: int) -> tuple[int, None]:
-        self.services.host.log.refuse(DOOR, self.client, f"write to {one.NodeId}: {reason}")
+        self.services.host.log.refuse(ENDPOINT, self.client, f"write to {one.NodeId}: {reason}")
         return int(status), None
 
     # --- methods and the past -------------------------------------------------------------------

@@ -153,14 +153,14 @@ class Subscription:
 
     # --- events ---------------------------------------------------------------------------------
 
-    def tell_event(self, event: EventSource, notifiers: Sequence[ua.NodeId]) -> None:
+    def notify_event(self, event: EventSource, notifiers: Sequence[ua.NodeId]) -> None:
         """Let an event wait for those items that monitor one of its notifiers and want it."""
         for item in self.items.values():
             if item.is_event and item.node in notifiers and item.mode != _DISABLED:
-                self.tell_item(event, item)
+                self.notify_item(event, item)
 
     @staticmethod
-    def tell_item(event: EventSource, item: Item) -> None:
+    def notify_item(event: EventSource, item: Item) -> None:
         """Let an event wait for an item, unless its filter is against it."""
         if event.passes(item.event_filter.WhereClause):
             fields = event.fields(item.event_filter.SelectClauses)

@@ -40,7 +40,7 @@ class Subscriptions:
         self._refuse = refuse
         self.items = MonitoredItems(space, limits, self._make_room_for_items)
         self.subscriptions: dict[int, Subscription] = {}
-        self._untold: dict[int, Subscription] = {}
+        self._unreported: dict[int, Subscription] = {}
         self._number = 0
         self.languages: dict[ua.NodeId, Language] = {}
 
@@ -102,22 +102,22 @@ class Subscriptions:
             return False
         self._refuse(oldest.session_id, "its oldest subscription ends: others have less")
         oldest.status = int(ua.StatusCodes.BadTooManySubscriptions)
-        is_told = oldest.publish()
+        is_reported = oldest.publish()
         self.expire(oldest)
-        if not is_told:
-            self._untold[oldest.data.SubscriptionId] = oldest
-            if len(self._untold) > self.limits.subscriptions:
-                del self._untold[next(iter(self._untold))]
+        if not is_reported:
+            self._unreported[oldest.data.SubscriptionId] = oldest
+            if len(self._unreported) > self.limits.subscriptions:
+                del self._unreported[next(iter(self._unreported))]
         return True
 
     def has_any(self, session_id: ua.NodeId) -> bool:
         """Return whether a session has a subscription, or one whose end it does not know yet."""
-        known = (*self.subscriptions.values(), *self._untold.values())
+        known = (*self.subscriptions.values(), *self._unreported.values())
         return any(one.session_id == session_id for one in known)
 
     def waiting(self, number: int) -> Subscription | None:
         """Return the subscription that waits for a request; an ended one for the last time."""
-        return self.subscriptions.get(number) or self._untold.pop(number, None)
+        return self.subscriptions.get(number) or self._unreported.pop(number, None)
 
     def _revise(self, result: Any, params: Any) -> None:
         result.RevisedPublishingInterval = self.limits.interval_ms(
@@ -164,8 +164,10 @@ class Subscriptions:
         for subscription in list(self.subscriptions.values()):
             if subscription.session_id == session_id:
                 self.expire(subscription)
-        untold = self._untold.items()
-        self._untold = {number: one for number, one in untold if one.session_id != session_id}
+        unreported = self._unreported.items()
+        self._unreported = {
+            number: one for number, one in unreported if one.session_id != session_id
+        }
 
     def expire(self, subscription: Subscription) -> None:
         """Delete a subscription whose client no longer makes requests."""
@@ -234,12 +236,12 @@ class Subscriptions:
                 subscription.pub_request_callback = request_callback
                 result.AvailableSequenceNumbers = list(subscription.unacknowledged)
                 if params.SendInitialValues:
-                    self._tell_all(subscription)
+                    self._notify_all(subscription)
             results.append(result)
         return results
 
     @staticmethod
-    def _tell_all(subscription: Subscription) -> None:
+    def _notify_all(subscription: Subscription) -> None:
         for item in subscription.items.values():
             item.last = None
 

@@ -20,12 +20,12 @@ from nctakt.hli.plc_entries import TechnologyEntry
 from nctakt.kernel import codes
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import ChannelConfiguration
-from nctakt.servers.opcua.values import Moment, NotSupported, Value
+from nctakt.servers.opcua.values import NotSupported, Value, ValueSnapshot
 from nctakt.session.channel_states import ChannelState
 from nctakt.session.engine import StepResult
 
 #: Reads a value of a moment.
-Reader = Callable[[Moment], Value]
+Reader = Callable[[ValueSnapshot], Value]
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ class ShownPosition:
     high: float
 
 
-def _missing(moment: Moment) -> Value:
+def _missing(moment: ValueSnapshot) -> Value:
     raise NotSupported
 
 
@@ -84,7 +84,7 @@ def signal(name: str, unit: str = "", low: float = 0.0, high: float = 0.0) -> Sh
     return Shown(lambda moment: moment.values[name], (name,), False, unit, low, high, signal=name)
 
 
-def state_of(moment: Moment, number: int) -> ChannelState:
+def state_of(moment: ValueSnapshot, number: int) -> ChannelState:
     """Return the state of a channel, counted from 1."""
     if moment.state_view is None:
         raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
@@ -107,12 +107,12 @@ def axis_components(
     to_go = f"{prefix}{name}.MCS.DIST_TO_GO"
     command, target = f"{prefix}{name}.ACS.ACT_POS", f"{prefix}{name}.ACS.CMD_POS"
 
-    def status(moment: Moment) -> int:
+    def status(moment: ValueSnapshot) -> int:
         is_endless = moment.values[state] in (codes.CONTINUOUS_MOTION, codes.STOPPING)
         is_there = moment.values[command] == moment.values[target]
         return _IN_POSITION if is_there and not is_endless else _MOVING
 
-    def zero_offset(moment: Moment) -> float:
+    def zero_offset(moment: ValueSnapshot) -> float:
         return state_of(moment, number).zero_offsets[index]
 
     low, high = axis.reachable
@@ -158,7 +158,7 @@ def _cnc_spindle(
     """Return the components of a spindle that the CNC turns."""
     speed = f"{prefix}{name}.SPEED"
 
-    def status(moment: Moment) -> int:
+    def status(moment: ValueSnapshot) -> int:
         actual, latest = moment.number(speed), state_of(moment, number).spindles[index]
         if actual == 0.0 and (latest.speed == 0.0 or not latest.is_open):
             return _STOPPED
@@ -167,7 +167,7 @@ def _cnc_spindle(
         is_faster = abs(actual) < abs(latest.speed) and actual * latest.speed >= 0.0
         return _ACCELERATING if is_faster else _DECELERATING
 
-    def direction(moment: Moment) -> int:
+    def direction(moment: ValueSnapshot) -> int:
         actual = moment.number(speed)
         if actual == 0.0:
             return _NO_DIRECTION
@@ -210,7 +210,7 @@ def spindle_components(
     if not plc:
         known = _cnc_spindle(name, prefix, max_speed, max_pct, index, number)
 
-    def speed(moment: Moment) -> float:
+    def speed(moment: ValueSnapshot) -> float:
         return abs(state_of(moment, number).spindles[index].speed)
 
     angle = "" if plc else f"{prefix}{name}.POSITION"
@@ -275,7 +275,7 @@ def channel_components(
     speed = f"{prefix}PATH.SPEED"
     max_mm_min = 60.0 * max((axis.max_speed for axis in axes.values()), default=0.0)
 
-    def feed(moment: Moment) -> float:
+    def feed(moment: ValueSnapshot) -> float:
         return state_of(moment, number).programmed_mm_s * 60.0
 
     return {
@@ -309,14 +309,14 @@ def _operation(prefix: str, max_pct: float) -> Mapping[str, Shown]:
         for word in ("STATE", "PAUSED", "ARMED", "OVERRIDE", "FEED_HOLD", "SINGLE_BLOCK")
     }
 
-    def status(moment: Moment) -> int:
+    def status(moment: ValueSnapshot) -> int:
         state = moment.values[hli["STATE"]]
         if state == codes.CHANNEL_RESET:
             return _RESET
         stops = state == codes.CHANNEL_ERROR or moment.values[hli["PAUSED"]]
         return _INTERRUPTED if stops or moment.values[hli["FEED_HOLD"]] else _ACTIVE
 
-    def program_status(moment: Moment) -> int:
+    def program_status(moment: ValueSnapshot) -> int:
         state = moment.values[hli["STATE"]]
         if state == codes.CHANNEL_RUNNING:
             stops = moment.values[hli["PAUSED"]] or moment.values[hli["FEED_HOLD"]]
@@ -339,7 +339,7 @@ def _operation(prefix: str, max_pct: float) -> Mapping[str, Shown]:
 def _functions_in_force(number: int) -> Mapping[str, Shown]:
     """Return the functions, offset and tool that a channel has in force."""
 
-    def technology(moment: Moment) -> list[int]:
+    def technology(moment: ValueSnapshot) -> list[int]:
         if moment.state_view is None:
             raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
         return [
@@ -348,7 +348,7 @@ def _functions_in_force(number: int) -> Mapping[str, Shown]:
             if channel == number and isinstance(entry, TechnologyEntry) and entry.letter == "M"
         ]
 
-    def in_force(moment: Moment) -> InForce:
+    def in_force(moment: ValueSnapshot) -> InForce:
         found = state_of(moment, number).in_force
         if found is None:
             raise NotSupported(int(ua.StatusCodes.BadNoData))
@@ -367,13 +367,13 @@ def _program_places(
 ) -> Mapping[str, Shown]:
     """Return where a channel is in its main program and in the program it has called."""
 
-    def span(moment: Moment) -> Span:
+    def span(moment: ValueSnapshot) -> Span:
         found = moment.blocks.get(number)
         if found is None:
             raise NotSupported(int(ua.StatusCodes.BadNoData))
         return found
 
-    def main_span(moment: Moment) -> Span:
+    def main_span(moment: ValueSnapshot) -> Span:
         calls = latest().calls.get(number)
         called = calls[1].span if calls and len(calls) > 1 else None
         return span(moment) if called is None else called

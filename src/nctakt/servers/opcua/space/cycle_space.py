@@ -16,7 +16,7 @@ from nctakt.servers.opcua.model import nodes as refs
 from nctakt.servers.opcua.model.companion import BASE_OBJECT, BASE_VARIABLE
 from nctakt.servers.opcua.model.nodes import Nodes, standard
 from nctakt.servers.opcua.space.machine_space import MachineSpace
-from nctakt.servers.opcua.values import Live, Moment, NotSupported, Value
+from nctakt.servers.opcua.values import Live, NotSupported, Value, ValueSnapshot
 from nctakt.session.engine import BranchState, CycleState
 
 #: Cycles that get nodes at most; programs without end could define cycles without end.
@@ -92,7 +92,7 @@ class CycleSpace:
         return node
 
     def _add_value(
-        self, path: str, name: str, kind: ua.VariantType, read: Callable[[Moment], Value]
+        self, path: str, name: str, kind: ua.VariantType, read: Callable[[ValueSnapshot], Value]
     ) -> None:
         node = self._machine.id(f"{path}.{name}")
         self._nodes.add_variable(
@@ -106,7 +106,7 @@ class CycleSpace:
         self._live.add(node, Live(kind, read, needs_glance=True))
 
 
-def _find(key: Key, moment: Moment) -> CycleState | None:
+def _find(key: Key, moment: ValueSnapshot) -> CycleState | None:
     if moment.state_view is None:
         raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
     return next((one for one in moment.state_view.cycles if key_of(one) == key), None)
@@ -114,8 +114,8 @@ def _find(key: Key, moment: Moment) -> CycleState | None:
 
 def _read(
     key: Key, value_of: Callable[[CycleState], Value], gone: Value = None
-) -> Callable[[Moment], Value]:
-    def read(moment: Moment) -> Value:
+) -> Callable[[ValueSnapshot], Value]:
+    def read(moment: ValueSnapshot) -> Value:
         found = _find(key, moment)
         if found is not None:
             return value_of(found)
@@ -128,7 +128,7 @@ def _read(
 
 def _of_branch(
     key: Key, index: int, value_of: Callable[[BranchState], Value]
-) -> Callable[[Moment], Value]:
+) -> Callable[[ValueSnapshot], Value]:
     return _read(key, lambda found: value_of(found.branches[index]))
 
 

@@ -41,7 +41,7 @@ from nctakt.servers.opcua.space.components import (
     channel_components,
     spindle_components,
 )
-from nctakt.servers.opcua.values import Live, Moment, NotSupported, Value
+from nctakt.servers.opcua.values import Live, NotSupported, Value, ValueSnapshot
 
 #: The namespace of the instance, and of nctakt's own nodes.
 OWN_URI = "urn:nctakt"
@@ -251,7 +251,7 @@ class MachineSpace:
         node = f"{path}.{component.name}"
         names = own.actual, own.command, own.to_go
 
-        def read(moment: Moment) -> CncPositionDataType:
+        def read(moment: ValueSnapshot) -> CncPositionDataType:
             if not own.actual:
                 raise NotSupported
             # nctakt does not have a value without a name: it is not 0
@@ -360,7 +360,7 @@ def bool_to_number(value: Value) -> float:
 
 
 def _reader(name: str) -> Any:
-    def read(moment: Moment) -> Value:
+    def read(moment: ValueSnapshot) -> Value:
         if not name:
             raise NotSupported
         return moment.values[name]

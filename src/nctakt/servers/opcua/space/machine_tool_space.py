@@ -27,7 +27,7 @@ from nctakt.servers.opcua.model.types import CompanionTypes, all_components
 from nctakt.servers.opcua.space.components import Shown, ShownPosition, fixed
 from nctakt.servers.opcua.space.machine_space import MachineSpace
 from nctakt.servers.opcua.space.program_states import ProgramStates
-from nctakt.servers.opcua.values import Live, Moment, NotSupported, Value
+from nctakt.servers.opcua.values import Live, NotSupported, Value, ValueSnapshot
 
 _FOLDER, _OBJECTS = standard(61), standard(85)
 _KINDS = ua.VariantType
@@ -233,7 +233,7 @@ class MachineToolSpace:
         name_of = shown["ActMainProgramName"]
         assert isinstance(name_of, Shown)
 
-        def name(moment: Moment) -> str:
+        def name(moment: ValueSnapshot) -> str:
             if states.channel in moment.blocks:
                 return str(name_of.read(moment))
             if states.first_program and not states.has_run:
@@ -259,7 +259,7 @@ class MachineToolSpace:
         """Add the state of the program: its name, the ID of its node, its number."""
         states, path = self.states, f"{state}.CurrentState"
 
-        def number(moment: Moment) -> int:
+        def number(moment: ValueSnapshot) -> int:
             return states.state(moment)
 
         for own, name, type_, data_type, live in (
@@ -353,5 +353,5 @@ class MachineToolSpace:
         self._live.add(node, live)
 
 
-def _constant(value: Value) -> Callable[[Moment], Value]:
+def _constant(value: Value) -> Callable[[ValueSnapshot], Value]:
     return lambda _: value

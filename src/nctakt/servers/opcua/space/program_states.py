@@ -18,7 +18,7 @@ from nctakt.servers.opcua.model.machine_tool import (
     INTERRUPTED,
     RUNNING,
 )
-from nctakt.servers.opcua.values import Moment, NotSupported
+from nctakt.servers.opcua.values import NotSupported, ValueSnapshot
 from nctakt.session.listening import Frame
 
 
@@ -42,7 +42,7 @@ class ProgramStates:
         self.has_run = False
         self._has_ended = False
 
-    def take(self, frame: Frame) -> None:
+    def receive(self, frame: Frame) -> None:
         """Notice a program that has begun or ended."""
         if self._state not in frame.values:
             return
@@ -53,7 +53,7 @@ class ProgramStates:
         if frame.values[self._state] == codes.CHANNEL_RUNNING:
             self.has_run, self._has_ended = True, False
 
-    def state(self, moment: Moment) -> int:
+    def state(self, moment: ValueSnapshot) -> int:
         """Return the number of the state."""
         state = moment.values.get(self._state)
         if state is None:

@@ -48,7 +48,7 @@ _LOOK_S = 0.1
 _PRINTED = (1, 2)
 
 #: The name of a connection that only wakes; those of processes are numbers.
-_NOBODY = "nobody"
+_WAKE = "wake"
 
 
 class RemoteEngine:
@@ -56,15 +56,15 @@ class RemoteEngine:
 
     Raises ``Failure`` as ``Engine`` does, and 901153 when its process is gone. ``tick``: where it
     is; ``process``: the number of its process; ``took_s``: how long the latest request has taken
-    there. ``is_apart``: a separate thread uses it, and nobody may abandon it.
+    there. ``is_apart``: a separate thread uses it, and it must not be abandoned.
     """
 
     def __init__(
-        self, connection: Connection[Any, Any], process: int, workshop: ProcessPool, tick: int
+        self, connection: Connection[Any, Any], process: int, pool: ProcessPool, tick: int
     ) -> None:
         self._connection = connection
         self.process = process
-        self._workshop = workshop
+        self._pool = pool
         self.tick = tick
         self._listed: Sequence[str] = ()
         self._unread = 0
@@ -104,17 +104,17 @@ class RemoteEngine:
     def _watched(self) -> Iterator[None]:
         """Allow the process to be killed during a request; raises ``Failure`` if it is gone."""
         if not self.is_apart:
-            self._workshop.asked = self
+            self._pool.asked = self
         try:
             yield
         except (EOFError, OSError) as error:
             raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
         finally:
             if not self.is_apart:
-                self._workshop.asked = None
+                self._pool.asked = None
 
-    def copy(self, workshop: ProcessPool | None = None) -> RemoteEngine:
-        """Return a copy at the same tick, in its own process; it belongs to ``workshop``."""
+    def copy(self, pool: ProcessPool | None = None) -> RemoteEngine:
+        """Return a copy at the same tick, in its own process; it belongs to ``pool``."""
         process = cast("int", self.ask("copy"))
         try:
             with socket.fromfd(
@@ -123,8 +123,8 @@ class RemoteEngine:
                 _, (descriptor,), *_ = socket.recv_fds(own, 1, 1, socket.MSG_CMSG_CLOEXEC)
         except (OSError, ValueError) as error:
             raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
-        self._workshop.copies += 1
-        return RemoteEngine(Connection(descriptor), process, workshop or self._workshop, self.tick)
+        self._pool.copies += 1
+        return RemoteEngine(Connection(descriptor), process, pool or self._pool, self.tick)
 
     def begin(self) -> None:
         """Give a copy of the prototype everything that a new process gets from this one.
@@ -283,8 +283,8 @@ class ProcessPool:
             while name not in self._waiting:
                 connection = self._listener.accept()
                 self._waiting[receive(connection)] = connection
-                if _NOBODY in self._waiting:
-                    self._waiting.pop(_NOBODY).close()
+                if _WAKE in self._waiting:
+                    self._waiting.pop(_WAKE).close()
                     if is_given_up.is_set():
                         raise EOFError
         except (EOFError, OSError) as error:
@@ -299,7 +299,7 @@ class ProcessPool:
             contextlib.suppress(OSError, EOFError, AuthenticationError),
             Client(self._listener.address, authkey=self._key) as connection,
         ):
-            send(connection, _NOBODY)
+            send(connection, _WAKE)
 
     @property
     def can_copy(self) -> bool:

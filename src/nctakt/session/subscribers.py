@@ -57,7 +57,7 @@ class Subscribers:
         self._travels += 1
         for pending in self._pending.values():
             pending.clear()
-        self.tell("travelled", str(self._core.branch.number))
+        self.notify("travelled", str(self._core.branch.number))
         arrived = replace(
             done, first_tick=done.tick, events=(), left_out=0, messages=(), diagnostics=()
         )
@@ -68,7 +68,7 @@ class Subscribers:
         if done.differs is not None and not self._has_differed:
             self._has_differed = True
             found = diagnostic(PLC_DIFFERS, tick=done.differs)
-            self.tell("refused", str(found), found.render("de"))
+            self.notify("refused", str(found), found.render("de"))
         for listener in self._listeners:
             self._pending[id(listener)].append(done)
         due = [
@@ -79,9 +79,9 @@ class Subscribers:
         if due:
             self._give(due, speed)
         if done.hits:
-            self.tell("stopped", ", ".join(map(str, done.hits)))
+            self.notify("stopped", ", ".join(map(str, done.hits)))
         if done.run_state is not None:
-            self.tell("ended", done.run_state)
+            self.notify("ended", done.run_state)
 
     def give_rest(self) -> None:
         """Hand out everything waiting for the listeners' next frames: the session has stopped."""
@@ -116,10 +116,10 @@ class Subscribers:
                 )
             )
 
-    def tell(self, kind: NoticeKind, text: str = "", text_de: str = "") -> None:
+    def notify(self, kind: NoticeKind, text: str = "", text_de: str = "") -> None:
         """Give all listeners a notice; who has left too many unread listens no more."""
         notice = Notice(kind, self._core.tick, text, text_de)
         for listener in list(self._listeners):
-            listener.tell(notice)
+            listener.notify(notice)
             if listener.is_dropped:
                 self.remove(listener)

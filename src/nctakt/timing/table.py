@@ -39,6 +39,7 @@ _WITHOUT = Text("none", "keines")
 _DOUBLED = Text("if doubled", "wenn verdoppelt")
 _SAVED = Text("saved", "gespart")
 _STATE = Text("end", "Ende")
+_NO_EFFECT = Text("without effect: {names}", "ohne Wirkung: {names}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +73,7 @@ def time_text(times: Times, language: Language) -> str:
 
 
 def what_if_text(variants: Sequence[Variant], language: Language) -> str:
-    """Return the saving of each doubled limit, the largest first."""
+    """Return the saving of each doubled limit, the largest first; name those without effect."""
     heads = (
         _DOUBLED.get(language),
         _TIME.get(language),
@@ -87,8 +88,13 @@ def what_if_text(variants: Sequence[Variant], language: Language) -> str:
             state_text(one.state, language),
         )
         for one in sorted(variants, key=lambda one: -one.saved_us)
+        if not one.changes_nothing
     )
-    return "\n".join(plain_table(Table(heads, rows))) + "\n" if rows else ""
+    lines = plain_table(Table(heads, rows)) if rows else []
+    names = ", ".join(one.name.get(language) for one in variants if one.changes_nothing)
+    if names:
+        lines.append(_NO_EFFECT.get(language).format(names=names))
+    return "".join(f"{line}\n" for line in lines)
 
 
 class _ChannelTables:

@@ -26,12 +26,16 @@ _LOOK_AHEAD = Text("blocks of the look-ahead", "Sätze der Vorausschau")
 
 @dataclass(frozen=True, slots=True)
 class Variant:
-    """A run with one limit doubled; ``saved_us``: how much shorter it is, below 0 if longer."""
+    """A run with one limit doubled; ``saved_us``: how much shorter it is, below 0 if longer.
+
+    ``changes_nothing``: it takes the same time and ends in the same state.
+    """
 
     name: Text
     state: RunState
     time_us: int
     saved_us: int
+    changes_nothing: bool
 
 
 def what_if(
@@ -55,7 +59,8 @@ def what_if(
     for name, changed, values in variants:
         again = rerun(changed, values)
         saved_us = run.virtual_time_us - again.virtual_time_us
-        found.append(Variant(name, again.state, again.virtual_time_us, saved_us))
+        is_same = saved_us == 0 and again.state == run.state
+        found.append(Variant(name, again.state, again.virtual_time_us, saved_us, is_same))
         if again.state == "interrupted":
             break
     return found

@@ -23,7 +23,7 @@ $IF (V.E.COUNT > 5) ; error 900101 "(V.E.COUNT > 5) is a comment"
 $ENDIF
 $WHILE P1 < 10 DO ; error 20797 "without DO"
 $ENDWHILE
-$FOR P1 = 1 TO 10 ; error 20229 "TO does not divide"
+$FOR P1 = 1 TO 10 ; error 20229 "TO does not separate"
 $ENDFOR
 IF P1 == 3 ; error 20797 "IF needs the sign"
 GOTO 10 ; error 20797 "GOTO needs the sign"
@@ -108,7 +108,7 @@ G01 X(P1+1) F100 ; error 900208 "(P1+1) is a comment"
 P1 = SIN 30 ; error 20797 "brackets around its argument"
 P1 = 5 % 3 ; error 20797 "'%' is not an operator"
 P1 := 5 ; error 20797 "':=' is not an operator"
-P1 == 5 ; error 20797 "'==' compares and assigns nothing"
+P1 == 5 ; error 20797 "'==' compares; it does not assign"
 G01 X10 // go ; error 900101 "does not begin a comment"
 /* text */ ; error 20797 "does not begin a comment"
 ; --- words of other controls

@@ -31,7 +31,7 @@ def test_the_grammar_lists_the_operators_in_the_order_of_their_precedence() -> N
     groups: dict[int, list[str]] = {}
     for operator in INFIX.values():
         groups.setdefault(operator.precedence, []).append(operator.symbol)
-    groups[PREFIX["-"].precedence] = ["(unary - and NOT stand here)"]
+    groups[PREFIX["-"].precedence] = ["(unary - and NOT are here)"]
     line = " ".join(" ".join(groups[strength]) for strength in sorted(groups, reverse=True))
     assert line in TEXT
 

@@ -93,7 +93,7 @@ def test_a_reaction_lies_over_its_condition() -> None:
     lanes = {lane.label: lane for lane in scene(drawn()).lanes}
     lane = lanes["17: 5"]
     assert lane.number == 2
-    assert lane.behind[0].begin_s == lane.bars[0].begin_s
+    assert lane.background[0].begin_s == lane.bars[0].begin_s
     assert lanes["M100"].bars[0].name == "M100"
 
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""A machine's log laid over a run: reading logs, mapping, alignment, deviations."""
+"""A machine's log compared with a run: reading logs, mapping, alignment, deviations."""

@@ -8,7 +8,7 @@ from nctakt.messages.catalogue import error
 NO_STRUCTURED_TEXT = error(
     902810,
     en="{what} needs a PLC in Structured Text, and this session has none",
-    de="{what} braucht eine SPS in Structured Text, und diese Sitzung hat keine",
+    de="{what} braucht eine SPS in Strukturiertem Text; diese Sitzung hat keine",
     remedy_en="Name the PLC: plc, --plc, or plc in nctakt.toml.",
     remedy_de="Die SPS nennen: plc, --plc oder plc in nctakt.toml.",
     what=("what was asked for", "was verlangt war"),

@@ -10,10 +10,10 @@ HOMING_NOT_ALLOWED = error(
     known_as=(60313,),
     en="{axis} must not be homed",
     de="{axis} darf nicht referenziert werden",
-    remedy_en="Take {axis} out of G74, or change kenngr.homing.homing_type (P-AXIS-00299), which "
+    remedy_en="Leave {axis} out of G74, or change kenngr.homing.homing_type (P-AXIS-00299), which "
     "is DISABLED.",
-    remedy_de="{axis} aus G74 nehmen oder kenngr.homing.homing_type (P-AXIS-00299) ändern: es ist "
-    "DISABLED.",
+    remedy_de="{axis} in G74 weglassen oder kenngr.homing.homing_type (P-AXIS-00299) ändern: es "
+    "ist DISABLED.",
     classes=(2, 6),
 )
 INVALID_HOMING_ORDER = error(

@@ -255,8 +255,8 @@ SHARE_NOT_WRITTEN = note(
 )
 LOG_NOT_SHOWN = warning(
     902744,
-    en="{log} is not laid over the run, which ends with an error: message {number}",
-    de="{log} wird nicht über den Lauf gelegt, der mit einem Fehler endet: Meldung {number}",
+    en="{log} is not shown with the run, which ends with an error: message {number}",
+    de="{log} wird nicht mit dem Lauf gezeigt, der mit einem Fehler endet: Meldung {number}",
     remedy_en="Correct the program, and start the page again.",
     remedy_de="Das Programm berichtigen und die Seite neu starten.",
     log=("the log", "das Log"),

@@ -311,7 +311,7 @@ FOLDER_HAS_RESULTS = error(
 ROWS_NOT_SHARED = error(
     902982,
     en="{missing} runs are not in {folder}: the processes that made them write to another place",
-    de="{missing} Läufe sind nicht in {folder}: Ihre Prozesse schreiben an einen anderen Ort",
+    de="{missing} Läufe sind nicht in {folder}: ihre Prozesse schreiben an einen anderen Ort",
     remedy_en="Name a folder that all workers and this command share, or object storage.",
     remedy_de="Einen Ordner angeben, den alle Worker und dieser Befehl gemeinsam haben, oder einen "
     "Objektspeicher.",

@@ -62,8 +62,8 @@ GANTRY_SLAVE_IN_CHANNEL = warning(
     901886,
     en="axis {slave} follows axis {master} (gantry_ax_nr) and must not be in a channel",
     de="Achse {slave} folgt Achse {master} (gantry_ax_nr) und gehört in keinen Kanal",
-    remedy_en="Take one of them out: the entry of the channel list, or gantry_ax_nr.",
-    remedy_de="Eins davon herausnehmen: den Eintrag der Kanalliste oder gantry_ax_nr.",
+    remedy_en="Remove one of the two: the entry of the channel list, or gantry_ax_nr.",
+    remedy_de="Eines von beiden entfernen: den Eintrag der Kanalliste oder gantry_ax_nr.",
     cause_en="The slave of a fixed gantry is moved by its master only. It moves with its channel "
     "here, as if gantry_ax_nr were 0.",
     cause_de="Den Slave eines festen Gantryverbunds bewegt nur sein Master. Hier fährt er mit "

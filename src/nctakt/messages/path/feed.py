@@ -98,8 +98,8 @@ FEED_GROUP_VALUE_NOT_POSITIVE = error(
 )
 CORNER_FEED_MISSING = error(
     20795,
-    en="G13: there is no feed at corners yet",
-    de="G13: es gibt noch keinen Vorschub an Ecken",
+    en="G13: no feed for corners has been set",
+    de="G13: es ist kein Vorschub für Ecken festgelegt",
     remedy_en="Program #CORNER PARAM [DIST=10 UNIT=PERCENT FEED=50] before it.",
     remedy_de="Davor #CORNER PARAM [DIST=10 UNIT=PERCENT FEED=50] programmieren.",
 )

@@ -30,7 +30,7 @@ ARC_RADIUS_TOO_SMALL = error(
 )
 POINTS_ON_A_LINE = error(
     901892,
-    en="no arc leads by this interim point to the target: the three points are on a line",
+    en="no arc leads through this interim point to the target: the three points are on a line",
     de="kein Kreisbogen führt über diesen Zwischenpunkt zum Ziel: die drei Punkte liegen auf einer "
     "Geraden",
     remedy_en="With I, J, K, program a point between start and target of the arc. A full circle is "

@@ -131,8 +131,8 @@ NOT_IN_MACHINE_COORDINATES = error(
 )
 POSITION_NOT_REACHED = error(
     901761,
-    en="no position of the axes leads there: {reason}",
-    de="keine Position der Achsen führt dorthin: {reason}",
+    en="the axes have no position for this: {reason}",
+    de="die Achsen haben dafür keine Position: {reason}",
     remedy_en="Program another direction of the tool, or select another kinematic.",
     remedy_de="Eine andere Richtung des Werkzeugs programmieren oder eine andere Kinematik wählen.",
     classes=(2, 3),
@@ -171,8 +171,8 @@ ARC_DURING_PTP = error(
 )
 DIRECTION_OUT_OF_REACH = error(
     901618,
-    en="no position of the axes leads to a point of this block",
-    de="zu einem Punkt dieses Satzes führt keine Stellung der Achsen",
+    en="the axes have no position for a point of this block",
+    de="für einen Punkt dieses Satzes haben die Achsen keine Stellung",
     remedy_en="Change the direction of the tool, or the path.",
     remedy_de="Die Richtung des Werkzeugs oder den Weg ändern.",
     classes=(2, 3),

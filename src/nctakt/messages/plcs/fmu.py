@@ -189,7 +189,7 @@ FMU_NOT_INSTANTIATED = error(
     902952,
     en="{file} refuses to begin with the token {token} of its description: {reason}",
     de="{file} lehnt es ab, mit dem Token {token} seiner Beschreibung zu beginnen: {reason}",
-    remedy_en="Export the model again: description and library are probably of different exports.",
+    remedy_en="Export the model again: its description and library do not seem to match.",
     remedy_de="Das Modell erneut exportieren: Beschreibung und Bibliothek passen wohl nicht "
     "zusammen.",
     token=("its GUID or instantiation token", "seine GUID oder sein Instantiation Token"),
@@ -233,7 +233,7 @@ CELL_STATE_OF_ANOTHER = error(
     902842,
     en="the state belongs to another FMU: other programs, lists, inputs, outputs or options",
     de="der Zustand gehört zu einer anderen FMU: andere Programme, Listen, Variablen oder Optionen",
-    remedy_en="Put back states only into the FMU that they come from.",
+    remedy_en="Restore states only in the FMU that they come from.",
     remedy_de="Zustände nur in die FMU zurücksetzen, aus der sie stammen.",
 )
 CELL_DOES_OTHERWISE = error(

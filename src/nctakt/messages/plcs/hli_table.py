@@ -106,7 +106,7 @@ NO_SUCH_BYTES = error(
 )
 TRANSITION_DROPPED = note(
     902322,
-    en="{path}: a transition to a mode or state that is not simulated stood there, and is dropped",
+    en="{path} had a transition to a mode or state that is not simulated; it is dropped",
     de="{path}: dort stand ein Übergang zu etwas nicht Simuliertem; er wurde verworfen",
     path=_PATH,
 )

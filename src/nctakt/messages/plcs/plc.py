@@ -243,10 +243,10 @@ WRONG_TOOL_DATA = error(
 )
 PLC_SILENT = error(
     902320,
-    en="the PLC has not shown for 100 ms that it lives",
+    en="the PLC has given no sign of life for 100 ms",
     de="die SPS hat seit 100 ms kein Lebenszeichen gegeben",
-    remedy_en="Set mc_watchdog.alive_rw in each cycle of the PLC, or take enable_w away.",
-    remedy_de="mc_watchdog.alive_rw in jedem Zyklus der SPS setzen oder enable_w wegnehmen.",
+    remedy_en="Set mc_watchdog.alive_rw in each cycle of the PLC, or clear enable_w.",
+    remedy_de="mc_watchdog.alive_rw in jedem Zyklus der SPS setzen oder enable_w zurücknehmen.",
 )
 WHEN_CALLED_EACH_TICK = note(
     902140,

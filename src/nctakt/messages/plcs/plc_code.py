@@ -181,8 +181,8 @@ NO_PART = error(
 )
 NO_NUMBER = error(
     902963,
-    en="{name} is {type}, and a signal is a number or BOOL",
-    de="{name} ist {type}, und ein Signal ist eine Zahl oder BOOL",
+    en="{name} is {type}, but a signal must be a number or BOOL",
+    de="{name} ist {type}, ein Signal muss aber eine Zahl oder BOOL sein",
     remedy_en="Name an element or a member of it: MAIN.aList[1], MAIN.fbGate.nCount.",
     remedy_de="Ein Element davon nennen: MAIN.aList[1], MAIN.fbGate.nCount.",
 )

@@ -50,10 +50,10 @@ LATE_UNITS_SEEN_LATE = note(
     902981,
     en="the fastest task runs each {cycle}, realtime cycles output functions in each tick of "
     "{tick}",
-    de="die schnellste Task läuft alle {cycle}, Echtzeitzyklen geben Funktionen in jedem Takt von "
+    de="die schnellste Task läuft alle {cycle}, Echtzeit-Zyklen geben Funktionen in jedem Takt von "
     "{tick} aus",
     remedy_en="Let a task with the cycle time of the CNC handle the functions of realtime cycles.",
-    remedy_de="Die Funktionen von Echtzeitzyklen in einer Task mit der Zykluszeit der CNC "
+    remedy_de="Die Funktionen von Echtzeit-Zyklen in einer Task mit der Zykluszeit der CNC "
     "behandeln.",
     cycle=("the cycle time of the task", "die Zykluszeit der Task"),
     tick=("the cycle time of the CNC", "die Zykluszeit der CNC"),

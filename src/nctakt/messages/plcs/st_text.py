@@ -14,8 +14,8 @@ PROJECT_FILE_MISSING = error(
     902160,
     en="the project names {path}, which does not exist",
     de="das Projekt nennt {path}, das es nicht gibt",
-    remedy_en="Add the file, or take it out of the project.",
-    remedy_de="Die Datei ergänzen oder aus dem Projekt nehmen.",
+    remedy_en="Add the file, or remove it from the project.",
+    remedy_de="Die Datei ergänzen oder aus dem Projekt entfernen.",
 )
 XML_ELEMENT_UNKNOWN = note(
     902161,
@@ -157,7 +157,7 @@ END_KEYWORD_MISSING = error(
 )
 COMPARISON_AS_STATEMENT = error(
     902182,
-    en="= compares and assigns nothing (C0020)",
+    en="= compares; it does not assign (C0020)",
     de="= vergleicht und weist nichts zu (C0020)",
     remedy_en="Write := to assign.",
     remedy_de="Zum Zuweisen := schreiben.",

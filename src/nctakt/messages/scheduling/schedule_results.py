@@ -141,7 +141,7 @@ WINDOWS_TIME_CAN_BE_VIOLATED = warning(
 
 NOTHING_SUGGESTED = error(
     900647,
-    en="no values were found with which each thread has the slack that is asked for",
+    en="no values were found that give each thread the requested slack",
     de="es wurden keine Werte gefunden, mit denen jeder Thread die verlangte Reserve hat",
     remedy_en="Ask for less with --slack, allow more CPUs with --cpus, or shorten the functions.",
     remedy_de="Mit --slack weniger verlangen, mit --cpus mehr CPUs erlauben oder die Funktionen "

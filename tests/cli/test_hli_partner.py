@@ -14,7 +14,7 @@ import pytest
 
 from nctakt import Controller, hli
 from nctakt.cli.common import hli_partner
-from nctakt.hli.shared_file import FOLDER
+from nctakt.hli.connection import FOLDER
 from nctakt.plc import PartnerPlc, PlcError
 
 pytestmark = pytest.mark.skipif(not FOLDER.is_dir(), reason="shared memory without files")

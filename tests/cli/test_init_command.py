@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main
-from nctakt.cli.common.ci_files import CHECKOUT, CI_FILES, INSTALL, PYTHON, SETUP_PYTHON
+from nctakt.cli.init import CHECKOUT, CI_FILES, INSTALL, PYTHON, SETUP_PYTHON
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import startup_lists
 from nctakt.project.project_file import find_project

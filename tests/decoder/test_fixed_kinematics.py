@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 from support.kinematic_chains import Map
 
-from nctakt.decoder.kinematics.fixed_types import FIXED_TYPES, fixed_chain
-from nctakt.decoder.kinematics.universal import universal_chain
+from nctakt.decoder.kinematics.fixed_types import FIXED_TYPES, fixed_chain, universal_chain
 from nctakt.lists.machine.transformations.kinematics import KinematicAxis, UniversalKinematic
 
 LENGTH = 120.0

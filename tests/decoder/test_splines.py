@@ -12,8 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.interpolate import Akima1DInterpolator, BSpline
 
-from nctakt.decoder.shapes.akima import AkimaCurve
-from nctakt.decoder.shapes.bspline import BsplineCurve
+from nctakt.decoder.shapes.splines import AkimaCurve, BsplineCurve
 from nctakt.decoder.state.geometry import cubics
 from nctakt.run.controller import Controller, NcText
 

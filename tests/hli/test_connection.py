@@ -13,12 +13,11 @@ import pytest
 
 from nctakt import Controller, Failure, NcText, hli
 from nctakt.cli.common.hli_partner import waiter
-from nctakt.hli.connection import PlcConnection
+from nctakt.hli.connection import FOLDER, PlcConnection
 from nctakt.hli.image_access import ImageAccess
 from nctakt.hli.layout import COMMAND, HEADER, LINK
 from nctakt.hli.places import entry, size_of
 from nctakt.hli.plc_side import PlcSide
-from nctakt.hli.shared_file import FOLDER
 from nctakt.plc import AnyPlc, PartnerPlc
 from nctakt.run.access.shared_image import SharedImage
 from nctakt.run.plcs.plc_view import PlcView

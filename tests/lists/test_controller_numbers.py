@@ -18,7 +18,7 @@ from nctakt.lists.format.controller_numbers import (
 )
 from nctakt.lists.format.list_check import load_list
 from nctakt.messages import Collector
-from nctakt.reference.parameter_numbers import PARAMETER_NUMBERS
+from nctakt.reference.parameters import PARAMETER_NUMBERS
 
 
 def test_the_table_is_in_order() -> None:

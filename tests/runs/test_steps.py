@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from nctakt import Controller, Failure, NcText, Plc, on
-from nctakt.results.step import Step
+from nctakt.results.run import Step
 
 PROGRAM = NcText(
     "p.nc",

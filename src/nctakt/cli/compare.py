@@ -204,7 +204,7 @@ def _run_again(
     value: float,
 ) -> Run | None:
     """Return the run with a change; ``None`` if it is not possible."""
-    from nctakt.proposals.changed_run import changed_run  # noqa: PLC0415 - as above
+    from nctakt.proposals.changes import changed_run  # noqa: PLC0415 - as above
 
     request = replace(read_request(options, access), signals=signals)  # its own PLC
     schedule = schedule_of(options, access)

@@ -467,7 +467,7 @@ def _rows_of_parts(folder: str, words: dict[str, Any]) -> StreamedRows:
 
 def _cover(study: Study, words: dict[str, Any]) -> int:
     """Show which branches the points of a plan reach; exit code 1 if they miss any."""
-    from nctakt.cli.results.study_cover import cover_lines  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_summary import cover_lines  # noqa: PLC0415 - as above
     from nctakt.messages import diagnostic  # noqa: PLC0415
     from nctakt.messages.commands.studies import IMPOSSIBLE_RUNS  # noqa: PLC0415
 
@@ -507,7 +507,7 @@ def _search(
 
     Raises ``Failure`` as ``search_with_rows`` if no rows are kept.
     """
-    from nctakt.cli.results.study_search import search_with_rows  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_commands import search_with_rows  # noqa: PLC0415 - as above
 
     store = None if words["out"] is None else _results(study, words, searches=True)
     try:

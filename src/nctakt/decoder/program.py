@@ -17,8 +17,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.path.path_settings import PathSettings
 from nctakt.decoder.blocks.user_errors import user_error
-from nctakt.decoder.cycles.builder import SCOPES, CycleDefinition
-from nctakt.decoder.cycles.kept_cycles import CyclePlace, built_cycle
+from nctakt.decoder.cycles.builder import SCOPES, CycleDefinition, CyclePlace, built_cycle
 from nctakt.decoder.cycles.keywords import keyword_of, word_of
 from nctakt.decoder.fast.handover import PlainBlocks
 from nctakt.decoder.flow.axis_exchange import AxisExchange

@@ -2,25 +2,30 @@
 """A custom PLC in another process, attached to the HLI of a CNC by its name.
 
 In: the name after ``nctakt run --hli``. Out: the PLC's side by names (``plc_side.py``), and the
-ticks of the CNC in turn: in lockstep it waits for an answer after each of them.
+ticks of the CNC in turn: in lockstep it waits for an answer after each of them. The shared memory
+is on Linux a file in ``/dev/shm``; elsewhere Python's class finds it. Only its maker removes it,
+never an attached process.
 """
 
 from __future__ import annotations
 
+import mmap
 import os
+import sys
 import time
 from collections.abc import Iterator
+from pathlib import Path
 from types import TracebackType
 from typing import Protocol
 
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.failure import Failure
+from nctakt.base.python_process import start_resource_tracker
 from nctakt.hli.image_access import ImageAccess
 from nctakt.hli.layout import COMMAND, HEADER, LINK, MAGIC
 from nctakt.hli.places import entry, size_of
 from nctakt.hli.plc_side import PlcSide
 from nctakt.hli.process_watch import ProcessWatch, is_living
-from nctakt.hli.shared_file import SharedFile, image_names
 from nctakt.messages import diagnostic
 from nctakt.messages.plcs.hli_connection import HLI_HAS_PLC, NO_HLI_OF_NAME, NO_TICK_AT_HLI
 
@@ -33,6 +38,10 @@ _IMAGE_PAUSE_S = 0.01
 
 #: Number of polls between two checks whether the CNC's process still lives.
 _LOOKS_PER_WATCH = 500
+
+
+#: The folder of shared memory on Linux.
+FOLDER = Path("/dev/shm")
 
 
 class TickPlc(Protocol):
@@ -201,3 +210,45 @@ def _check_free(access: ImageAccess) -> None:
     is_present = access.number(COMMAND, access.offset(COMMAND), "plc_present") != 0
     if is_present and process > 0 and is_living(process):
         raise Failure(diagnostic(HLI_HAS_PLC, name=access.name, process=process))
+
+
+class SharedFile:
+    """The bytes of shared memory; raises ``OSError`` or ``ValueError`` if there is none."""
+
+    def __init__(self, name: str) -> None:
+        if not name or "/" in name or "\0" in name:
+            raise ValueError(name)
+        if FOLDER.is_dir():
+            with (FOLDER / name).open("r+b") as file:
+                self._map = mmap.mmap(file.fileno(), 0)
+            self.memory = memoryview(self._map)
+            self._close = self._map.close
+        else:
+            from multiprocessing import resource_tracker  # noqa: PLC0415 - not on Linux
+            from multiprocessing.shared_memory import SharedMemory  # noqa: PLC0415 - as above
+
+            start_resource_tracker()
+            shared = SharedMemory(name)
+            if sys.platform != "win32":
+                # the maker removes it; without this the end of this process would
+                resource_tracker.unregister(f"/{name}", "shared_memory")
+            self.memory = memoryview(shared.buf or b"")
+            self._close = shared.close
+
+    def close(self) -> None:
+        """Let go of the bytes; views of them are released before."""
+        self.memory.release()
+        self._close()
+
+
+def image_names() -> list[str]:
+    """Return the names of all images of an HLI that can be found; none outside Linux."""
+    found = []
+    for path in sorted(FOLDER.glob("*")) if FOLDER.is_dir() else ():
+        try:
+            with path.open("rb") as file:
+                if file.read(len(MAGIC)) == MAGIC:
+                    found.append(path.name)
+        except OSError:
+            continue  # another user's
+    return found

@@ -2,7 +2,8 @@
 """The server of the live page: its address, its guard, its end.
 
 In: a shared session and its documents. Out: a page at an address until Ctrl-C. NiceGUI is imported
-here and nowhere else outside the page.
+here and nowhere else outside the page. Browsers have places; pages without a browser are bounded,
+too: a new one displaces the oldest of them.
 """
 
 from __future__ import annotations
@@ -10,25 +11,31 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import gc
+import logging
+import os
 import socket
 import sys
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
-from nctakt.live.access.guard import LOCAL, WORD, Access, Guard, Refused
-from nctakt.live.access.places import MAX_BROWSERS, Places
-from nctakt.live.access.reporting import report_errors
+from nctakt.live.access.guard import LOCAL, TOO_MANY, WORD, Access, Guard, Refused
 from nctakt.live.document import Document
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.messages import diagnostic
-from nctakt.messages.connections.live import ADDRESS_NOT_USABLE, LIVE_LIBRARY_MISSING
+from nctakt.messages.connections.live import (
+    ADDRESS_NOT_USABLE,
+    LIVE_LIBRARY_MISSING,
+    MESSAGE_NOT_READABLE,
+)
 from nctakt.ports.token import new_token
 
 if TYPE_CHECKING:
+    from nicegui import Client
     from starlette.responses import Response
 
 #: Bytes of a message of a browser: the longest is the text of the editor.
@@ -39,6 +46,19 @@ _REACHABLE = {"0.0.0.0": "127.0.0.1", "::": "::1"}
 
 #: How long a thread of the server may compute while the session's thread is due, in seconds.
 _SWITCH_S = 0.001
+
+
+#: The loggers of the libraries that read data from browsers.
+_LOGGERS = ("asyncio", "engineio", "engineio.server", "nicegui", "socketio", "socketio.server")
+
+#: Different reasons that are reported at most.
+_MAX_REASONS = 20
+
+
+#: Browsers that may look at the page at a time, and pages that may wait for theirs to connect.
+MAX_BROWSERS, MAX_WAITING = 20, 20
+
+_NOT_CONNECTED = Text("its browser did not connect", "sein Browser verband sich nicht")
 
 
 def check_library() -> None:
@@ -183,3 +203,72 @@ def end_page() -> None:
     from nicegui import app  # noqa: PLC0415 - only the page needs it
 
     app.shutdown()
+
+
+class _Reporter(logging.Handler):
+    def __init__(self, report: Callable[[Diagnostic], None]) -> None:
+        super().__init__(logging.ERROR)
+        self._report = report
+        self._reasons: set[str] = set()
+
+    def emit(self, record: logging.LogRecord) -> None:
+        """Report a record, unless its reason is known."""
+        error = None if record.exc_info is None else record.exc_info[1]
+        if error is None:
+            reason = record.getMessage().splitlines()[0]
+        else:
+            reason = f"{type(error).__name__}: {error}".splitlines()[0]
+        reason = reason[:120]
+        if reason not in self._reasons and len(self._reasons) < _MAX_REASONS:
+            self._reasons.add(reason)
+            self._report(diagnostic(MESSAGE_NOT_READABLE, reason=reason))
+
+
+def report_errors(report: Callable[[Diagnostic], None]) -> None:
+    """Report errors of the libraries by ``report`` from now on."""
+    if os.environ.get("NCTAKT_DEBUG"):
+        return
+    reporter = _Reporter(report)
+    for name in _LOGGERS:
+        logger = logging.getLogger(name)
+        logger.handlers = [reporter]
+        logger.propagate = False
+
+
+class Places:
+    """Who looks at the page; ``clients``: all pages that were fetched, by their IDs."""
+
+    def __init__(self, clients: Mapping[str, Client], refused: Refused) -> None:
+        self._clients = clients
+        self._refused = refused
+        self._taken: set[str] = set()
+
+    def make_room(self) -> bool:
+        """Return whether another page may be fetched."""
+        if len(self._taken) >= MAX_BROWSERS:
+            return False
+        waiting = [one for one in self._clients.values() if one.id not in self._taken]
+        if len(waiting) >= MAX_WAITING:
+            oldest = min(waiting, key=lambda one: one.created)
+            self._refused(oldest.ip, _NOT_CONNECTED)
+            oldest.delete()
+        return True
+
+    def let_wait(self, client: Client) -> None:
+        """Let a page wait for its browser, which takes a place once it connects."""
+        client.on_connect(partial(self._take, client))
+        client.on_delete(partial(self._leave, client.id))
+
+    async def _take(self, client: Client) -> None:
+        if client.id in self._taken:
+            return  # it comes again
+        if len(self._taken) < MAX_BROWSERS:
+            self._taken.add(client.id)
+            return
+        self._refused(client.ip, TOO_MANY)
+        client.run_javascript("location.reload()")  # it gets the reason
+        client.delete()
+
+    def _leave(self, name: str) -> None:
+        """Return a place. A separate method: the library inspects each handler's signature."""
+        self._taken.discard(name)

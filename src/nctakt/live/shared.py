@@ -23,8 +23,7 @@ from nctakt.live import view
 from nctakt.live.ahead import Ahead, FutureOf
 from nctakt.live.conditions import conditions_of
 from nctakt.live.parts.explaining import Explainer, Moment, why_plc_text, why_text
-from nctakt.live.plc_files import PlcFiles
-from nctakt.live.plc_words import PlcWords
+from nctakt.live.plc_words import PlcFiles, PlcWords
 from nctakt.live.run_log import RunLog
 from nctakt.live.searching import Searches
 from nctakt.live.time_account import TimeAccounting, TimesShown

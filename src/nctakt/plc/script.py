@@ -30,14 +30,17 @@ called in the order of the class.
 from __future__ import annotations
 
 import functools
+import linecache
 import operator
+import re
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, cast
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.kernel.tick.plc_calls import Delays, When
@@ -51,7 +54,6 @@ from nctakt.messages.plcs.plc import (
     WRONG_TOOL_DATA,
 )
 from nctakt.plc.class_check import class_slips
-from nctakt.plc.class_source import condition_mistake, source_position
 from nctakt.plc.inputs import read_inputs
 from nctakt.plc.policies import (
     ALL,
@@ -64,7 +66,7 @@ from nctakt.plc.policies import (
 )
 from nctakt.plc.tool_manager import ToolData, ToolRequest, answer_requests, mistake_in
 from nctakt.run.access.stimuli import Stimulus, not_reached
-from nctakt.run.conditions import read_expression
+from nctakt.run.conditions import CONDITION_COLUMN, read_expression
 from nctakt.run.plcs.plc_view import Declaration, WatchedPlc
 
 if TYPE_CHECKING:
@@ -535,3 +537,49 @@ def _reason(mark: object) -> Text:
         en, de = " or ".join(names), " oder ".join(names)
         return Text(f"{en} did not appear", f"{de} kam nicht vor")
     return Text("its condition did not become true", "seine Bedingung wurde nicht wahr")
+
+
+def condition_mistake(kind: type, member: str, text: str, mistake: Diagnostic) -> Diagnostic:
+    """Return a mistake in a condition with its place in the file of the class.
+
+    Where the text is not there word for word, the place is that in the text.
+    """
+    span = mistake.span
+    begin, end = (0, len(text)) if span is None else (span.column, span.end_column)
+    if span is not None:
+        begin, end = (max(0, column - CONDITION_COLUMN) for column in (begin, end))
+    file, lines, first = _source_of(kind, member)
+    for number, line in enumerate(lines[first - 1 :], first):
+        column = line.find(text)
+        if re.match(rf"\s*(async )?def {member}\b", line):
+            break
+        if column >= 0:
+            span = Span(file, number, column + begin + 1, column + max(begin + 1, end) + 1)
+            return replace(mistake, span=span, source_line=line.rstrip("\n"))
+    span = Span(member, 1, begin + 1, max(begin + 1, end) + 1)
+    return replace(mistake, span=span, source_line=text)
+
+
+def _source_of(kind: type, member: str) -> tuple[str, list[str], int]:
+    """Return the file of a class, its lines, and the first line of a member of the class."""
+    code = getattr(getattr(kind, member), "__code__", None)
+    file, first = (
+        getattr(kind, "_source", ("", 1))
+        if code is None
+        else (code.co_filename, code.co_firstlineno)
+    )
+    return file, linecache.getlines(file), first
+
+
+def source_position(kind: type, member: str, word: str = "") -> tuple[Span, str] | tuple[()]:
+    """Return the span of a method, or of a word at it or in its class, and the source line.
+
+    The result is empty if the source is not available.
+    """
+    file, lines, first = _source_of(kind, member)
+    pattern = re.escape(word) if word else rf"(?<=def ){re.escape(member)}"
+    for number, line in enumerate(lines[first - 1 :], first):
+        match = re.search(rf"{pattern}\b", line, re.IGNORECASE)
+        if match is not None:
+            return Span(file, number, match.start() + 1, match.end() + 1), line.rstrip("\n")
+    return ()

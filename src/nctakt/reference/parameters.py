@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Articles about parameters of lists, from their schemas."""
+"""Articles about parameters of lists, from their schemas, and about the controller's numbers."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from itertools import groupby
 
 from nctakt.base.diagnostics import Text
 from nctakt.lists.all_parameters import (
@@ -12,7 +13,13 @@ from nctakt.lists.all_parameters import (
     find_parameters,
     similar_parameters,
 )
-from nctakt.lists.format.controller_numbers import CASES, numbers_of
+from nctakt.lists.format.controller_numbers import (
+    CASES,
+    ParameterNumber,
+    all_numbers,
+    numbers_of,
+    parameters_of,
+)
 from nctakt.lists.format.parameter import Effect, Parameter, Relevance, ValueType, range_text, shown
 from nctakt.lists.format.schema import Schema
 from nctakt.reference.article import Article, Fact, Topic, fact, same
@@ -49,6 +56,19 @@ CONCERNS: dict[str, Text] = {
     "tool": Text("tools", "Werkzeuge"),
     "transformation": Text("transformations", "Transformationen"),
     "variables": Text("variables", "Variablen"),
+}
+
+
+_KIND = Text("number of the controller for a parameter", "Nummer der Steuerung für einen Parameter")
+_FOUND = {
+    "list": Text(
+        "The controller reports it when it reads the list.",
+        "Die Steuerung meldet sie, wenn sie die Liste liest.",
+    ),
+    "run": Text(
+        "The controller reports it while it works, not when it reads the list.",
+        "Die Steuerung meldet sie im Betrieb, nicht schon beim Lesen der Liste.",
+    ),
 }
 
 
@@ -157,4 +177,38 @@ PARAMETERS = Topic(
     _find,
     _names,
     _find_similar,
+)
+
+
+def number_article(number: int, rows: tuple[ParameterNumber, ...]) -> Article:
+    """Return the article of one number: its parameters, and its meaning for them."""
+    return Article(str(number), _KIND, _FOUND[rows[0].found], tuple(map(_fact, rows)))
+
+
+def _fact(one: ParameterNumber) -> Fact:
+    names = {found.parameter.pattern for found in find_parameters(one.id)}
+    return Fact(same(" ".join((one.id, *sorted(names)))), CASES[one.case])
+
+
+def _all_numbers() -> Iterator[Article]:
+    for number, rows in groupby(all_numbers(), key=lambda one: one.number):
+        yield number_article(number, tuple(rows))
+
+
+def _find_number(word: str) -> tuple[Article, ...]:
+    rows = parameters_of(int(word)) if word.isascii() and word.isdigit() else ()
+    return (number_article(int(word), rows),) if rows else ()
+
+
+def _number_names() -> Iterator[str]:
+    return (str(number) for number in sorted({one.number for one in all_numbers()}))
+
+
+PARAMETER_NUMBERS = Topic(
+    "numbers",
+    Text("Numbers of the controller for parameters", "Nummern der Steuerung für Parameter"),
+    ("110087", "110101"),
+    _all_numbers,
+    _find_number,
+    _number_names,
 )

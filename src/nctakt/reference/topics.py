@@ -19,8 +19,7 @@ from nctakt.reference.elements import ELEMENTS
 from nctakt.reference.interface import HLI
 from nctakt.reference.language import EXPRESSIONS, KEYWORDS_TOPIC, WORDS
 from nctakt.reference.messages import MESSAGES
-from nctakt.reference.parameter_numbers import PARAMETER_NUMBERS
-from nctakt.reference.parameters import PARAMETERS
+from nctakt.reference.parameters import PARAMETER_NUMBERS, PARAMETERS
 from nctakt.reference.rules import RULES_TOPIC
 from nctakt.reference.variables import VARIABLES
 

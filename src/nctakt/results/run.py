@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The result of a run: its end, its realtime cycles, its outputs.
+"""The result of a run or of some of its ticks: its end, its realtime cycles, its outputs.
 
 Plain records, the same for the same inputs: they hold no wall-clock time.
 """
@@ -10,7 +10,7 @@ import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, Protocol, overload
+from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol, overload
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span
@@ -461,3 +461,27 @@ def technology_output(event: Event) -> TechnologyOutput:
         letter, number, sequence = event.kind, int(words[0]), int(words[1])
     span, cycle = event.span, event.cycle
     return TechnologyOutput(event.tick, event.time_us, letter, number, sequence, span, cycle)
+
+
+class Step(NamedTuple):
+    """The ticks from ``first_tick`` on.
+
+    ``state`` is that of the controller after them. ``events``, ``messages`` and ``diagnostics``
+    are those of these ticks only.
+    """
+
+    first_tick: int
+    ticks: int
+    state: str
+    events: tuple[Event, ...]
+    messages: tuple[ProgramMessage, ...]
+    diagnostics: tuple[Diagnostic, ...]
+
+    @property
+    def technology(self) -> list[TechnologyOutput]:
+        """The M and H functions that went out, in their order."""
+        return [technology_output(event) for event in self.events if event.kind in TECHNOLOGY_KINDS]
+
+    def __repr__(self) -> str:
+        what = ", ".join(map(str, self.events)) or "nothing"
+        return f"<{self.ticks} ticks from {self.first_tick}, {self.state}: {what}>"

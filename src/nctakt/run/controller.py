@@ -25,8 +25,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.commands.controller import REUSE_WITH_SCHEDULE
 from nctakt.messages.machines.folders import UNKNOWN_CHANNEL
 from nctakt.messages.path.backward import BACKWARD_WITHOUT_HISTORY
-from nctakt.results.run import ExplainedRun, RecordedRun, Run
-from nctakt.results.step import Step
+from nctakt.results.run import ExplainedRun, RecordedRun, Run, Step
 from nctakt.results.trace.recorded import EventList
 from nctakt.results.trace.sinks import Signal
 from nctakt.run import program_loader

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+from collections import deque
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -24,12 +25,11 @@ from nctakt.messages.plcs.hli_table import (
 from nctakt.run.access.machine_names import names_of_machine
 from nctakt.servers.catalogue import Catalogue
 from nctakt.servers.clock import MachineClock
-from nctakt.servers.feed import Feed
 from nctakt.servers.log import ServerLog
 from nctakt.servers.marked_variables import marked_values
 from nctakt.servers.notices import Notices, ServerNotice
 from nctakt.servers.store import Scalar, Store
-from nctakt.session.listening import Frame, Notice
+from nctakt.session.listening import Frame, Listener, Notice
 from nctakt.session.session import Session
 from nctakt.st.program import Program
 
@@ -57,6 +57,13 @@ Key = Literal["start", "reset", "hold", "go_on"]
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
+
+
+#: Frames that wait for the loop at most; at 1,000 a second these are four seconds.
+MAX_FRAMES = 4096
+
+#: Frames a second: as many as there are slices.
+_EACH_SLICE_HZ = 1e6
 
 
 class Endpoint(Protocol):
@@ -250,3 +257,57 @@ class Host:
         """Log a refusal of a client."""
         for found in failure.diagnostics[:1]:
             self.log.refuse(endpoint, client, f"{found.id}: {found.text('en')}")
+
+
+class Feed(Listener):
+    """Hands frames and notices on into a loop; ``missed``: frames that were left out."""
+
+    def __init__(
+        self,
+        loop: asyncio.AbstractEventLoop,
+        take_frame: Callable[[Frame], None],
+        take_notice: Callable[[Notice], None],
+    ) -> None:
+        super().__init__((), _EACH_SLICE_HZ, wants_events=False)
+        self._loop = loop
+        self._take_frame = take_frame
+        self._take_notice = take_notice
+        self._waiting: deque[Frame | Notice] = deque()
+        self._is_called = False
+        self.missed = 0
+
+    def is_due(self) -> bool:
+        """Return that each slice is of interest."""
+        return True
+
+    def give(self, frame: Frame) -> None:
+        """Hand a frame on."""
+        with self._changed:
+            if len(self._waiting) >= MAX_FRAMES:
+                self.missed += 1
+                self._waiting.popleft()
+            self._hand_on(frame)
+
+    def notify(self, notice: Notice) -> None:
+        """Hand a notice on."""
+        with self._changed:
+            self._hand_on(notice)
+
+    def _hand_on(self, what: Frame | Notice) -> None:
+        self._waiting.append(what)
+        if not self._is_called:
+            self._is_called = True
+            try:
+                self._loop.call_soon_threadsafe(self._deliver)
+            except RuntimeError:
+                self._waiting.clear()  # the loop has ended
+
+    def _deliver(self) -> None:
+        with self._changed:
+            waiting, self._waiting = self._waiting, deque()
+            self._is_called = False
+        for what in waiting:
+            if isinstance(what, Frame):
+                self._take_frame(what)
+            else:
+                self._take_notice(what)

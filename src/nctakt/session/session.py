@@ -35,8 +35,7 @@ from nctakt.session.cursor import FAULT, Step
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, StateView, StepResult, joined
 from nctakt.session.history.comparing import BranchDifference
-from nctakt.session.history.event_search import EventSearch
-from nctakt.session.history.past_account import PastAccount
+from nctakt.session.history.event_search import EventSearch, PastAccount
 from nctakt.session.history.past_runs import PastRuns
 from nctakt.session.listening import Listener
 from nctakt.session.process.thread import SessionThread

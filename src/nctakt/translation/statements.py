@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from nctakt.kernel.st import branching, kinds
 from nctakt.kernel.st.calls import Call as CallNode
@@ -32,6 +32,7 @@ from nctakt.kernel.st.wholes import (
     WholeConstant,
 )
 from nctakt.st import tree
+from nctakt.st.tree import Case
 from nctakt.st.types import (
     Elementary,
     EnumType,
@@ -47,8 +48,7 @@ from nctakt.st.types import (
 from nctakt.translation.body import CannotRunError, is_standard, value_type
 from nctakt.translation.calls import Calls
 from nctakt.translation.checks import written_pointer
-from nctakt.translation.labels import as_signed, labels_of, seen_labels
-from nctakt.translation.layout import is_real, is_unsigned, kind_of
+from nctakt.translation.layout import as_word, is_real, is_unsigned, kind_of
 from nctakt.translation.locations import Location
 from nctakt.translation.observing.noting import leaves_early
 
@@ -58,6 +58,12 @@ _UPDATES: dict[type[Whole], int] = {
     AndBits: kinds.AND,
     OrBits: kinds.OR,
 }
+
+
+#: Lowest and highest label, and the number of their target.
+LabelRange = tuple[int, int, int]
+
+_GREATEST = (1 << 63) - 1
 
 
 class Statements(Calls):
@@ -294,3 +300,55 @@ def is_same_variable(one: Expression, other: Expression) -> bool:
                 return False
             return all(map(is_same_variable, one.indices, other.indices))
     return False
+
+
+def labels_of(written: Case) -> list[LabelRange]:
+    """Return the labels by branches, without those that an earlier one covers (ST-511)."""
+    kept: list[LabelRange] = []
+    for number, branch in enumerate(written.branches):
+        for label in branch.labels:
+            left = _without(label.first, label.last, kept)
+            kept += [(first, last, number) for first, last in left]
+    return kept
+
+
+def _without(low: int, high: int, ranges: list[LabelRange]) -> list[tuple[int, int]]:
+    """Return the parts of a range that lie in none of the others."""
+    pieces = [(low, high)]
+    for first, last, _ in ranges:
+        rest: list[tuple[int, int]] = []
+        for begin, end in pieces:
+            if end < first or begin > last:
+                rest.append((begin, end))
+                continue
+            if begin < first:
+                rest.append((begin, first - 1))
+            if end > last:
+                rest.append((last + 1, end))
+        pieces = rest
+    return pieces
+
+
+def as_signed(label: LabelRange) -> Iterator[LabelRange]:
+    """Yield a range as signed words of 64 bits: from 2⁶³ on labels of ULINT are negative there."""
+    first, last, number = label
+    if first <= _GREATEST:
+        yield first, min(last, _GREATEST), number
+    if last > _GREATEST:
+        yield as_word(max(first, _GREATEST + 1)), as_word(last), number
+
+
+def seen_labels(
+    written: Case, ranges: list[LabelRange], kind: Elementary | EnumType, counted: Mapping[int, int]
+) -> list[tuple[float, float, int]]:
+    """Return ranges of the selector with the number that counts the body to which they lead."""
+    numbers = [counted.get(id(branch.body)) for branch in written.branches]
+    found = [(first, last, numbers[index]) for first, last, index in ranges]
+    otherwise = counted.get(id(written.otherwise))
+    if otherwise is not None:
+        base = kind.base if isinstance(kind, EnumType) else kind
+        left = _without(base.low, base.high, ranges)
+        found += [(first, last, otherwise) for first, last in left]
+    return [
+        (float(first), float(last), number) for first, last, number in found if number is not None
+    ]

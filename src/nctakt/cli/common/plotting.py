@@ -80,7 +80,7 @@ class Drawings:
 
     def sinks(self, sinks: Sequence[Sink], request: Request) -> list[Sink]:
         """Return sinks that get only the requested signals, and events as without pictures."""
-        from nctakt.results.trace.columns import BLOCK_EVENTS, first_columns  # noqa: PLC0415 - the mode is chosen before
+        from nctakt.results.trace.sinks import BLOCK_EVENTS, first_columns  # noqa: PLC0415 - the mode is chosen before
 
         if not self._files:
             return list(sinks)

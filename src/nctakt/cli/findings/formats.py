@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import click
@@ -19,8 +19,8 @@ from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.base.version import __version__
 from nctakt.checking.check import CheckResult
 from nctakt.checking.inputs import Finding
-from nctakt.cli.findings.effects_list import effect_lines, is_listed
 from nctakt.cli.findings.selection import RULE_PREFIX
+from nctakt.messages.machines.lists import PARAMETER_MAY_CHANGE_RUN, PARAMETER_WOULD_CHANGE_RUN
 
 COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.NOTE: None}
 _GITHUB = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
@@ -33,6 +33,32 @@ _COUNTS = {
     Severity.NOTE: (Text("note", "Hinweis"), Text("notes", "Hinweise")),
 }
 _FILES = (Text("file", "Datei"), Text("files", "Dateien"))
+
+
+#: The messages of such entries, each with its heading for one entry and for any other number.
+_HEADINGS = {
+    PARAMETER_WOULD_CHANGE_RUN: (
+        Text(
+            "{count} entry without effect here would change a run",
+            "{count} Eintrag ohne Wirkung hier würde einen Lauf ändern",
+        ),
+        Text(
+            "{count} entries without effect here would change a run",
+            "{count} Einträge ohne Wirkung hier würden einen Lauf ändern",
+        ),
+    ),
+    PARAMETER_MAY_CHANGE_RUN: (
+        Text(
+            "{count} entry without effect here may change a run",
+            "{count} Eintrag ohne Wirkung hier kann einen Lauf ändern",
+        ),
+        Text(
+            "{count} entries without effect here may change a run",
+            "{count} Einträge ohne Wirkung hier können einen Lauf ändern",
+        ),
+    ),
+}
+_ROW = Text("{id:14} {key} is {value}, not {default}", "{id:14} {key} ist {value}, nicht {default}")
 
 
 def rule_of(number: int) -> str:
@@ -179,3 +205,34 @@ def _escaped(text: str) -> str:
 
 def _property(text: str) -> str:
     return _escaped(text).replace(":", "%3A").replace(",", "%2C")
+
+
+def is_listed(diagnostic: Diagnostic) -> bool:
+    """Return whether a finding belongs into the table."""
+    return diagnostic.message in _HEADINGS
+
+
+def effect_lines(
+    diagnostics: Sequence[Diagnostic], language: Language, colours: Mapping[Severity, str | None]
+) -> Iterator[str]:
+    """Yield the table of the findings among ``diagnostics`` for which ``is_listed`` is true."""
+    for message, headings in _HEADINGS.items():
+        listed = [one for one in diagnostics if one.message is message]
+        if not listed:
+            continue
+        text = headings[len(listed) != 1].get(language).format(count=len(listed))
+        severity = listed[0].severity
+        heading = f"{severity.label(language)} {message.id}: {text}"
+        yield click.style(heading, fg=colours[severity])
+        file = ""
+        for one in listed:
+            assert one.span is not None
+            if one.span.file != file:
+                file = one.span.file
+                yield f"  {file}"
+            yield f"  {one.span.line:6}  {_ROW.get(language).format_map(one.values)}"
+            meaning = one.values["meaning"]
+            assert isinstance(meaning, Text)
+            yield f"{'':10}{meaning.get(language)}"
+        label = "Abhilfe" if language == "de" else "remedy"
+        yield f"  {label}: {listed[0].remedy(language)}"

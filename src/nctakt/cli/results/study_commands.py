@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command that shows a run of a study: ``nctakt run``, a replay, or ``nctakt study`` itself.
+"""``nctakt study``: the command that shows a run of it, and the rows of a search.
 
 In: a study and its rows. Out: a command for each number of a run; with ``--record`` the tapes of
 the failed runs, and of those that a report shows.
@@ -7,16 +7,20 @@ the failed runs, and of those that a report shows.
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 import shlex
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from nctakt.run.options import accepted_by, command_words
 from nctakt.studies.plans.dimension import Value
 from nctakt.studies.report import MAX_ROWS, ShownRuns
+from nctakt.studies.rows.folder_store import FolderStore
+from nctakt.studies.rows.row_store import RowStore
 from nctakt.studies.runs.study_runner import FAILED, PASSED
+from nctakt.studies.searching.search_runs import SearchRuns
 from nctakt.studies.study import Study, StudyResult
 
 #: The most tapes of one study.
@@ -24,6 +28,9 @@ MAX_TAPES = 100
 
 #: Options of ``nctakt study`` that decide which runs there are, besides those of the run.
 _OPTIONS = ("each_tick", "sample")
+
+
+_T = TypeVar("_T")
 
 
 def commands_of(
@@ -110,3 +117,44 @@ def _again(file: str, words: dict[str, Any], number: int) -> str:
     for text in words["expect"]:
         parts += ["--expect", text]
     return shlex.join([*parts, "--only", str(number), "--record", words["record"] or "tapes"])
+
+
+def search_with_rows(
+    study: Study,
+    store: RowStore | FolderStore | None,
+    words: dict[str, Any],
+    search: Callable[[SearchRuns], _T],
+) -> _T:
+    """Return what a search finds; write the rows of its runs with ``--out``, with ``--report`` too.
+
+    Raises ``Failure`` as the search, and for files that cannot be written.
+    """
+    covers = words["cover"]
+    with contextlib.ExitStack() as at_the_end:
+        make = None
+        if words["scheduler"] is not None:
+            from nctakt.studies.workers.cluster import points_of_cluster  # noqa: PLC0415 - an extra
+
+            uploads = [Path(name) for name in words["upload"]]
+            cluster = points_of_cluster(study.plan, words["scheduler"], uploads, covers=covers)
+            make = at_the_end.enter_context(cluster)
+        searched = SearchRuns(study.runner, store, make, covers=covers)
+        found = search(searched)
+    result = StudyResult(study.plan, searched.rows, study.nominal, study.runner.units)
+    if store is not None and store.folder is None:
+        result.save(words["out"])
+    if words["report"] is not None:
+        from nctakt.files.output import write_file  # noqa: PLC0415 - few studies have one
+
+        page = result.report(
+            words["language"],
+            lambda number: _command(study, searched.points[number]),
+            lambda number: study.picture(searched.points[number], words["language"]),
+        )
+        write_file(words["report"], page)
+    return found
+
+
+def _command(study: Study, point: Sequence[Value]) -> str:
+    """Return the command of a run of the search, else its values: it has no number in the plan."""
+    return study.command(point) or named_values(study, point)

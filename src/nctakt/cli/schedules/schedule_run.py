@@ -121,12 +121,16 @@ def run(**words: Any) -> int:
 
 def _run(words: dict[str, Any]) -> int:
     from nctakt.schedule.analysis.findings import simulation_findings  # noqa: PLC0415
-    from nctakt.schedule.real.documents import plan_document, run_document  # noqa: PLC0415
-    from nctakt.schedule.real.findings import run_findings  # noqa: PLC0415
     from nctakt.schedule.real.machine import check_system  # noqa: PLC0415 - not for the help
     from nctakt.schedule.real.measure import measure  # noqa: PLC0415
     from nctakt.schedule.real.names import remove_stale  # noqa: PLC0415
-    from nctakt.schedule.real.report import plan_report, run_report  # noqa: PLC0415
+    from nctakt.schedule.real.report import (  # noqa: PLC0415
+        plan_document,
+        plan_report,
+        run_document,
+        run_findings,
+        run_report,
+    )
     from nctakt.schedule.real.run import run_plan  # noqa: PLC0415
     from nctakt.schedule.reports.report import response_report  # noqa: PLC0415
     from nctakt.schedule.simulation.simulate import simulate  # noqa: PLC0415

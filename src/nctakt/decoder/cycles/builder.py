@@ -8,6 +8,7 @@ Synchronous variables become loads and stores; asynchronous ones are read once a
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import cast
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
@@ -386,3 +387,33 @@ class CycleBuilder:
                 CYCLE_INDEX_OUT_OF_RANGE.number_of({"variable": location.name}),
             )
         return cell, further
+
+
+@dataclass(frozen=True, slots=True)
+class CyclePlace:
+    """Where in a run a cycle is defined: its serial number, the first of its probes, its names."""
+
+    serial: int
+    first_probe: int
+    identity: int
+    scope: str
+
+
+def built_cycle(values: Values, statement: tree.RealtimeCycle, at: CyclePlace) -> CycleDefinition:
+    """Return the cycle of a definition: a kept one if building it would give the same."""
+    environment, state = values.environment, values.state
+    kept = environment.kept_cycles
+    key = (
+        id(statement), id(environment.names), environment.source_id(statement.span),
+        at.serial, at.first_probe, at.identity, at.scope,
+        state.length_unit_mm, state.inch,
+    )  # fmt: skip
+    found = None if kept is None else kept.find(key)
+    if isinstance(found, tuple):
+        return cast("CycleDefinition", found[0])
+    builder = CycleBuilder(values, at.first_probe)
+    built = builder.build(statement, at.serial, at.identity, at.scope)
+    if kept is not None and builder.is_repeatable:
+        # The definition holds its statement; the names, which the key has as well, are next to it.
+        kept.keep(key, (built, environment.names), built.cycle)
+    return built

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""The fixed types of kinematics -> chains, by the published meaning of their parameters.
+"""Types of kinematics -> chains, by the published meaning of their parameters.
 
-Each type is walked from the workpiece to the tool: distances, rotary axes, the tool. HDi is
-``param[i - 1]``. The channel's axes are X Y Z and the rotary axes of the type in its order. Signs
-that no source settles are those of plain geometry (docs/conformance/transformations.md): a
-distance from the tool towards the machine is positive along the axis, an angle is positive by the
-right hand.
+Type 91, the universal kinematic, names its chain itself. Each fixed type is walked from the
+workpiece to the tool: distances, rotary axes, the tool. HDi is ``param[i - 1]``. The channel's axes
+are X Y Z and the rotary axes of the type in its order. Signs that no source settles are those of
+plain geometry (docs/conformance/transformations.md): a distance from the tool towards the machine
+is positive along the axis, an angle is positive by the right hand.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 from nctakt.decoder.kinematics.chain import (
     DIRECTIONS,
@@ -21,9 +21,15 @@ from nctakt.decoder.kinematics.chain import (
     X,
     Y,
     Z,
+    unit,
 )
 from nctakt.kernel.base import arithmetic
-from nctakt.lists.machine.transformations.kinematics import Vector
+from nctakt.lists.machine.transformations.kinematics import (
+    CLASSIC_MODES,
+    POINT_VECTOR,
+    UniversalKinematic,
+    Vector,
+)
 
 #: The rotary axes begin at this place of the channel.
 _FIRST_ROTARY = 3
@@ -206,3 +212,39 @@ def has_tube_head(values: Mapping[int, float]) -> bool:
 def fixed_chain(type_: int, values: Mapping[int, float]) -> Chain:
     """Return the chain of a fixed type with its parameters in the units of the lists."""
     return FIXED_TYPES[type_](Parameters(values))
+
+
+def universal_chain(kinematic: UniversalKinematic, axis_names: Sequence[str]) -> Chain:
+    """Return the chain of a kinematic of type 91; ``axis_names``: those of the channel's axes."""
+    joints = tuple(
+        Joint(index, axis.is_rotary, unit(axis.direction), axis.point)
+        for index in kinematic.chain
+        for axis in (kinematic.axes[index],)
+    )
+    return Chain(
+        joints,
+        kinematic.zero_position,
+        unit(kinematic.zero_orientation),
+        programmed_angles(kinematic, axis_names),
+        kinematic.programming_mode == POINT_VECTOR,
+        kinematic.linkage,
+    )
+
+
+def programmed_angles(
+    kinematic: UniversalKinematic, axis_names: Sequence[str]
+) -> ProgrammedAngles | None:
+    """Return the words programmed for the tool's direction; ``None``: the rotary axes themselves.
+
+    The angles are those of the rotary axes whose names begin with the letters of the mode; without
+    such names they go by the index of the axis.
+    """
+    letters = CLASSIC_MODES.get(kinematic.programming_mode, "")
+    rotary = sorted(kinematic.rotary)
+    if kinematic.is_rtcp or not letters or len(rotary) < 2:
+        return None
+    places = {axis_names[index][:1].upper(): index for index in rotary}
+    if sorted(places) == sorted(letters):
+        rotary = [places[letter] for letter in letters]
+    first, second = (DIRECTIONS[letter] for letter in letters)
+    return ProgrammedAngles(rotary[0], rotary[1], first, second)

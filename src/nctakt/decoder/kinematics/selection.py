@@ -9,8 +9,12 @@ from dataclasses import replace
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.decoder.kinematics.chain import Chain, map_values
-from nctakt.decoder.kinematics.fixed_types import FIXED_TYPES, fixed_chain, has_tube_head
-from nctakt.decoder.kinematics.universal import universal_chain
+from nctakt.decoder.kinematics.fixed_types import (
+    FIXED_TYPES,
+    fixed_chain,
+    has_tube_head,
+    universal_chain,
+)
 from nctakt.kernel.kinematics import map_rows
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.channel_configuration import ChannelParameters

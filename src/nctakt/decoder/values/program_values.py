@@ -14,7 +14,7 @@ from nctakt.decoder.state.call_stack import CallStack
 from nctakt.decoder.state.program_variables import LONGEST_STRING, ProgramVariable, VariableError
 from nctakt.decoder.state.queued.commands import Answer, Command
 from nctakt.decoder.state.tools import Fail
-from nctakt.decoder.values.text_functions import compute
+from nctakt.decoder.values.texts import compute
 from nctakt.messages.programs.checked_values import INVALID_ELEMENT_COUNT
 from nctakt.messages.programs.decoder import OPERATION_WITHOUT_RESULT, VALUE_LIST_FOR_ONE_ELEMENT
 from nctakt.nc import tree

@@ -8,19 +8,28 @@ editor: a change that has not been checked yet is checked first.
 from __future__ import annotations
 
 import contextlib
+import re
 from collections.abc import Iterator, Sequence
 
 from lsprotocol import types
+from lsprotocol.types import (
+    FoldingRange,
+    FoldingRangeKind,
+    ParameterInformation,
+    Position,
+    SignatureHelp,
+    SignatureInformation,
+)
 
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.editor.document import Document
 from nctakt.editor.structured_text import navigation
 from nctakt.editor.structured_text.colours import semantic_tokens
-from nctakt.editor.structured_text.completion import complete
-from nctakt.editor.structured_text.folding import folding_ranges
+from nctakt.editor.structured_text.completion import called_unit, complete
+from nctakt.editor.structured_text.descriptions import comment_of, parameter_text, signature_of
 from nctakt.editor.structured_text.formatting import format_edits
 from nctakt.editor.structured_text.plc_projects import PlcProjects
-from nctakt.editor.structured_text.positions import range_of
+from nctakt.editor.structured_text.positions import position_at, range_of
 from nctakt.editor.structured_text.project_names import ProjectNames
 from nctakt.editor.structured_text.remedies import structured_actions
 from nctakt.editor.structured_text.renaming import (
@@ -30,7 +39,13 @@ from nctakt.editor.structured_text.renaming import (
     rename,
     rename_part,
 )
-from nctakt.editor.structured_text.signatures import signature_help
+from nctakt.editor.structured_text.surroundings import hidden_parts, masked, surroundings
+
+_WORD = re.compile(
+    r"\b(?:END_(?P<end>\w+)|(?P<open>IF|CASE|FOR|WHILE|REPEAT|STRUCT|UNION|VAR(?:_\w+)?"
+    r"|FUNCTION_BLOCK|FUNCTION|PROGRAM|INTERFACE|METHOD|PROPERTY|ACTION|TYPE))\b",
+    re.IGNORECASE,
+)
 
 
 class StructuredAnswers:
@@ -146,3 +161,70 @@ class StructuredAnswers:
         """Return the edits that remedy findings of a document."""
         with self._names(document) as names:
             return structured_actions(names, document, found, language)
+
+
+def signature_help(
+    names: ProjectNames, document: Document, position: Position
+) -> SignatureHelp | None:
+    """Return the signature of the innermost open call, with the argument at the position."""
+    file = names.project.file_named(document.name)
+    spot = None if file is None else position_at(document, position, file)
+    if spot is None:
+        return None
+    piece, offset = spot
+    around = surroundings(piece.text, offset, piece.title, is_declaration=piece.is_declaration)
+    if not around.callee:
+        return None
+    called = called_unit(names, around.callee, names.scope_of(around.unit))
+    if called is None:
+        return None
+    sources = names.project.sources
+    parameters = [
+        ParameterInformation(parameter_text(one), comment_of(sources, one.start) or None)
+        for one in called.parameters
+    ]
+    active = around.argument
+    for index, one in enumerate(called.parameters):
+        if around.named and one.name.lower() == around.named.lower():
+            active = index
+    text = comment_of(sources, called.start) or None
+    signature = SignatureInformation(
+        signature_of(called, called.path), text, parameters, min(active, len(parameters))
+    )
+    return SignatureHelp([signature], 0, min(active, len(parameters)))
+
+
+def folding_ranges(document: Document) -> list[FoldingRange]:
+    """Return the folding ranges, by line; structures without an end in their file have none."""
+    text = document.text()
+    return sorted(
+        [*_structures(text), *_comments(text)], key=lambda one: (one.start_line, -one.end_line)
+    )
+
+
+def _structures(text: str) -> Iterator[FoldingRange]:
+    code = masked(text, " ")
+    opened: list[tuple[str, int]] = []
+    line = position = 0
+    for match in _WORD.finditer(code):
+        line += code.count("\n", position, match.start())
+        position = match.start()
+        if match["open"] is not None:
+            word = match["open"].upper()
+            opened.append(("VAR" if word.startswith("VAR") else word, line))
+            continue
+        closed = match["end"].upper()
+        known = [index for index, (word, _) in enumerate(opened) if word == closed]
+        if known:
+            first = opened[known[-1]][1]
+            del opened[known[-1] :]
+            if line > first:
+                yield FoldingRange(first, line)
+
+
+def _comments(text: str) -> Iterator[FoldingRange]:
+    for start, end in hidden_parts(text):
+        count = text.count("\n", start, end)
+        if count and text.startswith(("(*", "/*"), start):
+            first = text.count("\n", 0, start)
+            yield FoldingRange(first, first + count, kind=FoldingRangeKind.Comment)

@@ -8,6 +8,7 @@ at all can result; everything else is mended and reported.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
@@ -16,6 +17,7 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.base.text import decode_text, split_lines
 from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import SCHEMA_BY_KIND
 from nctakt.lists.declared.offsets import (
@@ -55,7 +57,6 @@ from nctakt.lists.machine.channel_axes import (
     channel_spindles,
 )
 from nctakt.lists.machine.channel_configuration import ChannelParameters, channel_parameters
-from nctakt.lists.machine.external.variable_checks import check_memory, possible_variables
 from nctakt.lists.machine.external.variables import (
     IgnoredVariable,
     Variable,
@@ -64,12 +65,14 @@ from nctakt.lists.machine.external.variables import (
     channel_memory_bytes,
     variables_configuration,
 )
+from nctakt.lists.machine.external.variables_layout import check_memory, possible_variables
 from nctakt.lists.machine.files import (
     BUILT_IN_MACHINES,
     DEMO_FOLDER,
     STARTUP_NAMES,
     ListSearch,
     machine_folder,
+    read_file,
     startup_lists,
     startup_lists_below,
 )
@@ -78,7 +81,6 @@ from nctakt.lists.machine.linked_lists import LinkedLists
 from nctakt.lists.machine.schedules.scheduling import load_rtconf
 from nctakt.lists.machine.schedules.scheduling_checks import check_contexts, check_time_limits
 from nctakt.lists.machine.schedules.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
-from nctakt.lists.machine.user_texts import user_texts
 from nctakt.messages import Collector
 from nctakt.messages.machines.machine import (
     GLOBAL_VARIABLE_DECLARED_DIFFERENTLY,
@@ -93,9 +95,15 @@ from nctakt.messages.machines.machine import (
     STARTUP_LIST_MISSING,
 )
 from nctakt.messages.machines.variables import CHANNEL_VARIABLES_TOO_LARGE
+from nctakt.messages.programs.user_errors import INVALID_USER_TEXT_LINE, USER_TEXTS_MISSING
 
 #: NC cycle without rtconf.lis, in µs.
 DEFAULT_CYCLE_TIME_US = 1000
+
+
+HIGHEST_ID = 1000
+
+_LINE = re.compile(r"\s*(\d{1,4})\s+(\S.*?)\s*$")
 
 
 @dataclass(frozen=True, slots=True)
@@ -493,3 +501,30 @@ class _Loader:
             )
             return ()
         return variables.channel
+
+
+def user_texts(
+    path: str, search: ListSearch, access: FileAccess, collector: Collector
+) -> dict[int, str]:
+    """Return the texts of the file that the start-up list names, none without one."""
+    if not path:
+        return {}
+    file = search.find(path)
+    if file is None:
+        collector.report(USER_TEXTS_MISSING, None, path=path)
+        return {}
+    data = read_file(file, access, collector)
+    return {} if data is None else _texts(data, path, collector)
+
+
+def _texts(data: bytes, name: str, collector: Collector) -> dict[int, str]:
+    texts: dict[int, str] = {}
+    for number, line in enumerate(split_lines(decode_text(data).text), 1):
+        if not line.strip() or line.lstrip().startswith("#"):
+            continue
+        match = _LINE.match(line)
+        if match is None or not 1 <= int(match[1]) <= HIGHEST_ID:
+            collector.report(INVALID_USER_TEXT_LINE, None, file=name, line=number)
+            continue
+        texts[int(match[1])] = match[2]
+    return texts

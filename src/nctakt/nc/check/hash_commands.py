@@ -1,23 +1,26 @@
 # SPDX-License-Identifier: MIT
 """The forms of ``#`` commands of the main program.
 
-In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT`` and others. Out: diagnostics. A command without
-arguments needs no check here: the only form in its row of ``commands.tsv`` is its name.
+In: ``#TIMER``, ``#FILENAME``, ``#FGROUP``, ``#OPTIONAL EXECUTION`` and others. Out: diagnostics. A
+command without arguments needs no check here: the only form in its row of ``commands.tsv`` is its
+name.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.misspelling import nearest_first
+from nctakt.messages.path.backward import OPTIONAL_PART_SWITCHED_TWICE, OPTIONAL_PART_WORDS
+from nctakt.messages.path.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
 from nctakt.messages.programs.single_steps import NEGATIVE_RESOLUTION, SINGLE_STEP_WORDS
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.optional_parts import check_optional
-from nctakt.nc.check.path.feed_groups import check_feed_group
-from nctakt.nc.check.path.path_commands import check_item
-from nctakt.nc.meaning.path import Form, keywords
+from nctakt.nc.check.path.path_commands import check_item, check_repetition
+from nctakt.nc.meaning.path import FEED_GROUP_RADIUS, FEED_GROUP_WEAKEST, Form, keywords
 from nctakt.nc.meaning.words import SINGLE_STEP_OFF
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number, Timer
 from nctakt.nc.vocabulary.commands import INIT, forms_of
@@ -34,6 +37,32 @@ _RESOLUTION = "RESOLUTION"
 _SINGLE_STEP_FORM = Form((SINGLE_STEP_OFF, "ENABLE"), (_RESOLUTION,))
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 _POSITIONS = ("CMDPOS", "ACTPOS")
+
+
+NAME = "#OPTIONAL EXECUTION"
+SWITCHES = ("ON", "OFF", "CLEAR")
+_FORM = Form(("SIMULATE", "APPROACH"), ("MASK",))
+_NOT_BEHIND = Text(
+    "backward motion ends after such a part, and does not leave it out",
+    "die Rückwärtsfahrt endet nach einem solchen Teil und lässt ihn nicht aus",
+)
+_NEVER_LEFT_OUT = Text(
+    "the part is always executed, for no motion is simulated",
+    "der Teil wird immer ausgeführt, denn keine Bewegung wird simuliert",
+)
+
+
+_ROTARY = Form(numbers=("REF",))
+_FACTORS = Text(
+    "F is the speed of the path, whose length includes the distance of each axis times its factor",
+    "F ist die Geschwindigkeit der Bahn, in deren Länge jeder Achsweg mal seinem Faktor eingeht",
+)
+_WEAKEST = Text(
+    "F is the speed of the axis whose distance takes the longest at its highest speed "
+    "(P-AXIS-00212)",
+    "F ist die Geschwindigkeit der Achse, deren Weg mit ihrer Höchstgeschwindigkeit am längsten "
+    "dauert",
+)
 
 
 class CommandChecker:
@@ -133,3 +162,88 @@ def check_single_step(command: HashCommand, values: ValueChecker, findings: Find
         value = item.value
         if item.name == _RESOLUTION and isinstance(value, Number) and value.value < 0.0:
             findings.report(NEGATIVE_RESOLUTION, value.span, value=value.value)
+
+
+def check_optional(command: HashCommand, values: ValueChecker, findings: Findings) -> None:
+    """Check ``#OPTIONAL EXECUTION ON [SIMULATE]``."""
+    switches = [word.name for word in command.words[2:]]
+    bracket = command.arguments[0] if command.arguments else None
+    if len(switches) > 1 and set(switches) <= set(SWITCHES):
+        findings.report(OPTIONAL_PART_SWITCHED_TWICE, command.words[3].span)
+        return
+    is_known = len(switches) == 1 and switches[0] in SWITCHES
+    if not is_known or len(command.arguments) > 1 or not isinstance(bracket, Bracket | None):
+        forms = forms_of(NAME)
+        findings.report(INVALID_COMMAND_FORM, command.span, command=NAME, forms=forms)
+        return
+    for item in bracket.items if bracket is not None else ():
+        check_item(_FORM, NAME, item, values, findings)
+    given = {item.name: item for item in keywords(command)}
+    approach = given.get("APPROACH")
+    if approach is not None and "SIMULATE" in given:
+        findings.report(OPTIONAL_PART_WORDS, approach.span)
+    elif approach is not None:
+        findings.report(
+            COMMAND_WORD_NOT_SIMULATED,
+            approach.span,
+            command=NAME,
+            word="APPROACH",
+            names="SIMULATE, MASK",
+        )
+    if "SIMULATE" in given:
+        findings.report_simplified(f"{NAME} [SIMULATE]", _NEVER_LEFT_OUT, command.span)
+    elif switches == ["ON"]:
+        findings.report_simplified(NAME, _NOT_BEHIND, command.span)
+
+
+def check_feed_group(
+    command: HashCommand, axes: Sequence[str], values: ValueChecker, findings: Findings
+) -> bool:
+    """Check ``#FGROUP``; ``axes``: those of the channel. Return false for another command."""
+    words = [word.name for word in command.words]
+    if words[0] != "FGROUP":
+        return False
+    arguments = command.arguments
+    bracket = arguments[0] if len(arguments) == 1 else None
+    items = bracket.items if isinstance(bracket, Bracket) else ()
+    is_right = bool(items) or not arguments
+    if words == ["FGROUP", FEED_GROUP_WEAKEST]:
+        is_right = not arguments
+        findings.report_simplified(f"#FGROUP {FEED_GROUP_WEAKEST}", _WEAKEST, command.span)
+    elif words == ["FGROUP", FEED_GROUP_RADIUS]:
+        names = {item.name for item in items if isinstance(item, Keyword)}
+        is_right = not arguments or {"AX", "REF"} <= names
+    elif words != ["FGROUP"]:
+        is_right = False
+    if not is_right:
+        name = "#" + " ".join(words[:2])
+        forms = forms_of(name)
+        findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
+        return True
+    form = Form(tuple(axes), defaults=tuple(axes))
+    if words == ["FGROUP", FEED_GROUP_RADIUS]:
+        form = replace(_ROTARY, names={"AX": tuple(axes)})
+    for item in items:
+        axis = _named_axis(item, is_radius=words[-1] == FEED_GROUP_RADIUS)
+        if axis is not None and axis.name not in axes:
+            findings.report(
+                UNKNOWN_COMMAND_OPTION,
+                axis.span,
+                command="#" + " ".join(words),
+                word=axis.name,
+                names=", ".join(axes),
+            )
+            continue
+        keyword = Keyword(item.span, item.name, None) if isinstance(item, Name) else item
+        check_item(form, "#" + " ".join(words), keyword, values, findings)
+        if words == ["FGROUP"] and isinstance(item, Keyword) and item.value is not None:
+            findings.report_simplified("#FGROUP [X=2]", _FACTORS, item.span)
+    check_repetition(" ".join(words), keywords(command), findings)
+    return True
+
+
+def _named_axis(item: Keyword | Expression, *, is_radius: bool) -> Keyword | Name | None:
+    """Return the part of an item that names an axis; ``is_radius``: of ``#FGROUP ROT``."""
+    if is_radius and isinstance(item, Keyword):
+        return item.value if item.name == "AX" and isinstance(item.value, Name) else None
+    return item if isinstance(item, Keyword | Name) else None

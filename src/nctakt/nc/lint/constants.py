@@ -1,30 +1,44 @@
 # SPDX-License-Identifier: MIT
-"""Constants that a variable of whole numbers changes on assignment (RC-307).
+"""Constants that are valid but cannot be meant: of variables (RC-307), and of overrides.
 
 In: an assignment of a program or realtime cycle. Out: a warning (901050) where its constant value
 is rounded: ``V.RTG.OVERRIDE.VEL.CYCLE = 0.5`` stops the path, ``V.E.COUNT += 0.4`` adds nothing;
 one (901051) where a BOOLEAN gets another number than 0 and 1; the error of a run (50892 in a cycle,
-20847 in a program) where the value is out of the range of the type.
+20847 in a program) where the value is out of the range of the type. Of ``#OVERRIDE [FEED_FACT=50]``
+and of those of axes and spindles: the error of a run (21419), a warning (901158) where the value is
+so small that a share was meant instead of per cent.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import isfinite
 
 from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.messages.path.feed import INVALID_PROGRAM_OVERRIDE
 from nctakt.messages.programs.decoder import VALUE_OUTSIDE_TYPE_RANGE
-from nctakt.messages.programs.lints import CONSTANT_NOT_BOOLEAN, CONSTANT_ROUNDED
+from nctakt.messages.programs.lints import (
+    CONSTANT_NOT_BOOLEAN,
+    CONSTANT_ROUNDED,
+    OVERRIDE_IS_PERCENT,
+)
 from nctakt.messages.programs.realtime import CYCLE_VALUE_OUT_OF_RANGE
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.check.path.path_commands import SPINDLE_FACTOR
 from nctakt.nc.lint.uses import is_override
-from nctakt.nc.tree import Assignment, Binary, Expression, Number, Unary, Variable
+from nctakt.nc.meaning.path import OVERRIDE_FACTORS, OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
+from nctakt.nc.tree import Assignment, Binary, Expression, Keyword, Node, Number, Unary, Variable
 from nctakt.nc.vocabulary.variables.resolution import path_text, resolve
 from nctakt.nc.vocabulary.variables.variable_table import Location, NameTable
 
 _PERCENT = Text(
     "An override is in percent: 50 is one half.", "Ein Override ist in Prozent: 50 ist die Hälfte."
 )
+
+
+#: Overrides up to this value are taken for shares: 1 for all, 0.5 for one half.
+_LARGEST_SHARE = 1.0
 
 
 def check_constant(
@@ -106,3 +120,30 @@ def constant(expression: Expression) -> float | None:
         "/": lambda: left / right,
     }[expression.operator]()
     return value if isfinite(value) else None
+
+
+def check_overrides(items: Iterable[Node], findings: Findings) -> None:
+    """Report constants of FEED_FACT, RAPID_FACT and SPEED_FACT that cannot be meant."""
+    for item in items:
+        if not isinstance(item, Keyword) or item.name not in (*OVERRIDE_FACTORS, SPINDLE_FACTOR):
+            continue
+        value = None if item.value is None else constant(item.value)
+        if item.value is None or value is None:
+            continue
+        if not OVERRIDE_MIN_PCT <= value <= OVERRIDE_MAX_PCT:
+            findings.report(
+                INVALID_PROGRAM_OVERRIDE,
+                item.value.span,
+                word=item.name,
+                value=value,
+                low=OVERRIDE_MIN_PCT,
+                high=OVERRIDE_MAX_PCT,
+            )
+        elif value <= _LARGEST_SHARE:
+            findings.report(
+                OVERRIDE_IS_PERCENT,
+                item.value.span,
+                word=item.name,
+                value=value,
+                meant=100.0 * value,
+            )

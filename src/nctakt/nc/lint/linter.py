@@ -38,9 +38,8 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.path.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
 from nctakt.nc.lint.channel_flush import FlushChecker
 from nctakt.nc.lint.conditions import check_condition
-from nctakt.nc.lint.constants import check_constant, check_value, constant
+from nctakt.nc.lint.constants import check_constant, check_overrides, check_value, constant
 from nctakt.nc.lint.cycle_uses import CycleUse
-from nctakt.nc.lint.overrides import check_overrides
 from nctakt.nc.lint.realtime_cycles import CycleLinter, KnownValue, StepLimits
 from nctakt.nc.lint.uses import element_name, integer_value, operand_key
 from nctakt.nc.meaning.path import command_name, keywords

@@ -9,15 +9,18 @@ stays readable if the run is interrupted. ``reading.py`` reads both formats back
 from __future__ import annotations
 
 import abc
-from collections.abc import Sequence
+from array import array
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Protocol, TextIO, cast, runtime_checkable
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.files.output import OutputFile
+from nctakt.kernel import rows
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_WRITABLE, UNKNOWN_TRACE_FORMAT
+from nctakt.results.trace.chunks import without_kinds
 from nctakt.results.trace.events import Event
 from nctakt.results.trace.texts import (
     by_tick,
@@ -40,6 +43,15 @@ PARQUET = ".parquet"
 
 #: The ending of MF4 files, which are written (``nctakt.results.trace.measurement``).
 MF4 = ".mf4"
+
+
+#: The kinds of events that ``Controller.run(blocks=True)`` adds.
+BLOCK_EVENTS = (
+    rows.EVENT_BLOCK,
+    rows.EVENT_WAIT,
+    rows.EVENT_ACKNOWLEDGED,
+    rows.EVENT_DROPPED,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -288,3 +300,49 @@ class JsonlSink(_FileSink):
         objects = [event_object(event) for event in together]
         content = {"tick": tick, "time_us": together[0].time_us, "events": objects}
         return json_text(content) + "\n"
+
+
+class OtherEvents:
+    """Hands all events but those of ``hides`` on to ``sink``; its header has ``count`` signals."""
+
+    def __init__(self, sink: Sink, count: int, hides: Collection[int] = ()) -> None:
+        self._sink = sink
+        self._count = count
+        self._hides = hides
+
+    def open(self, header: TraceHeader) -> None:
+        """Open the sink with a header of its signals only."""
+        signals = header.signals[: self._count]
+        self._sink.open(TraceHeader(header.cycle_time_us, signals))
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Hand the events on, if any are left."""
+        shown = without_kinds(events, self._hides) if self._hides else events
+        if len(shown):
+            self._sink.events(shown)
+
+    def close(self) -> None:
+        """Close the sink."""
+        self._sink.close()
+
+
+class FirstColumns(OtherEvents):
+    """Hands the first ``count`` signals on as well."""
+
+    def __init__(self, sink: RowSink, count: int, hides: Collection[int] = ()) -> None:
+        super().__init__(sink, count, hides)
+        self._rows = sink.rows
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Hand the first ``count`` values of each row on."""
+        kept = array("d")
+        for begin in range(0, len(rows), width):
+            kept.frombytes(rows[begin : begin + self._count].tobytes())
+        self._rows(first_tick, memoryview(kept), self._count)
+
+
+def first_columns(sink: Sink, count: int, hides: Collection[int] = ()) -> Sink:
+    """Return a sink that hands the first ``count`` signals and the other events to ``sink``."""
+    if isinstance(sink, RowSink):
+        return FirstColumns(sink, count, hides)
+    return OtherEvents(sink, count, hides)

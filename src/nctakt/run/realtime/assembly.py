@@ -6,6 +6,7 @@ In: ``Machine``. Out: ``AssembledMachine``, which the controller runs.
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
@@ -27,6 +28,8 @@ from nctakt.files.access import FileAccess
 from nctakt.hli.layout import PanelValue
 from nctakt.kernel import codes
 from nctakt.kernel.cells import PANEL_TOOLS
+from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
@@ -41,7 +44,6 @@ from nctakt.run.access.inputs import Inputs
 from nctakt.run.access.machine_names import channel_names, names_of_machine, prefix_of
 from nctakt.run.access.named_values import SignalCell, scopes_text
 from nctakt.run.access.variable_access import VariableAccess
-from nctakt.run.realtime.decoder_signals import SignalsOfChannel
 from nctakt.run.realtime.event_registry import EventRegistry
 from nctakt.run.realtime.realtime_part import NAMED_SIGNALS, RealtimePart
 from nctakt.run.realtime.spindle_setup import all_names, at_start_up, follow_executed
@@ -417,3 +419,33 @@ class AssembledMachine:
         if near:
             return diagnostic(MISSPELLED_SIGNAL, name=name, nearest=near)
         return diagnostic(UNKNOWN_SIGNAL, name=name, plc=scopes_text(named))
+
+
+class SignalsOfChannel:
+    """The signals of the channel with this index, from 0 (``DecoderSignals``)."""
+
+    def __init__(self, kernel: Kernel, channels: Sequence[Channel], index: int) -> None:
+        self._kernel = kernel
+        self._signals = channels[index].signals
+        self.channel_count = len(channels)
+
+    def send(
+        self,
+        source: int,
+        signal: int,
+        receivers: int,
+        count: int,
+        mask: int,
+        values: Sequence[float],
+    ) -> bool:
+        """Send a signal; return whether there was room for it."""
+        data = bytearray(struct.pack(f"={len(values)}d", *values))
+        return self._signals.send(source, self._kernel.tick, signal, receivers, count, mask, data)
+
+    def remove(self, low: int, high: int, receivers: int, *, is_range: bool) -> None:
+        """Remove the oldest signal of this number, or all of a range."""
+        self._signals.remove(low, high, receivers, is_range)
+
+    def read(self, source: int, signal: int, senders: int) -> tuple[float, ...]:
+        """Take a signal: the mask of its values and the values; empty if it is not there."""
+        return self._signals.read(source, self._kernel.tick, signal, senders, False)

@@ -24,13 +24,13 @@ work left, so its possibly pending work counts.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from math import lcm
 
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.rtconf import InterruptSource
-from nctakt.schedule.analysis.demand import Arrivals, JobWork
 from nctakt.schedule.analysis.supply import Supply, suspension_offsets
-from nctakt.schedule.model import ANY_CPU, Model, TaskClass
+from nctakt.schedule.model import ANY_CPU, Execution, Model, Task, TaskClass, Train
 
 #: Steps of the search for one response; a schedule that needs more counts as unbounded.
 MAX_STEPS = 10_000
@@ -296,3 +296,76 @@ class _BusyTime:
     def _max_jobs(self) -> int:
         """Return after how many jobs a busy time that has not ended counts as endless."""
         return max(_MIN_JOBS, _HYPERPERIODS * self._hyperperiod() // self._task.every)
+
+
+class Arrivals:
+    """Bounds of the NC interrupts after one of them; jitter can bring them closer together."""
+
+    def __init__(self, train: Train) -> None:
+        self._distance = train.distance
+        self._spread = 2 * train.jitter
+
+    def count(self, length: int) -> int:
+        """Return the maximum number of NC interrupts in ``length`` ns (> 0), its start included."""
+        return -(-(length + self._spread) // self._distance)
+
+    def pending(self, response: int) -> int:
+        """Return how many earlier NC interrupts can have jobs that are not finished yet.
+
+        ``response`` is the longest response of such a job.
+        """
+        return max(0, -(-(response + self._spread) // self._distance) - 1)
+
+    def earliest(self, cycles: int) -> int:
+        """Return the shortest time to the NC interrupt ``cycles`` cycles later, in ns."""
+        return cycles * self._distance - self._spread if cycles else 0
+
+
+class JobWork:
+    """The longest work of consecutive jobs of one task; ``activation`` is added to each job."""
+
+    def __init__(self, task: Task, activation: int) -> None:
+        executions: dict[str, list[Execution]] = {}
+        for call in task.calls:
+            executions.setdefault(call.function, []).append(call.execution)
+        self._constant = activation if task.calls else 0
+        self._lists: list[tuple[tuple[int, ...], int]] = []
+        for calls in executions.values():
+            first = calls[0]
+            if first.spread or first.is_constant or any(call != first for call in calls):
+                self._constant += sum(call.longest for call in calls)
+            else:
+                self._lists.append((first.values, len(calls)))
+        self.can_be_zero = not self._constant and bool(task.calls)
+
+    def longest(self, jobs: int) -> int:
+        """Return the longest work of ``jobs`` consecutive jobs, in ns."""
+        work = jobs * self._constant
+        for values, calls in self._lists:
+            work += longest_sum(values, jobs * calls)
+        return work
+
+    @property
+    def mean(self) -> float:
+        """Return the mean work of a job in ns if uniform times are always the longest."""
+        return self._constant + sum(
+            calls * sum(values) / len(values) for values, calls in self._lists
+        )
+
+
+def longest_sum(values: Sequence[int], count: int) -> int:
+    """Return the greatest sum of ``count`` values that follow each other in a repeated list."""
+    rounds, rest = divmod(count, len(values))
+    return rounds * sum(values) + _longest_window(tuple(values), rest)
+
+
+@lru_cache(maxsize=4096)
+def _longest_window(values: tuple[int, ...], count: int) -> int:
+    """Return the greatest sum of ``count`` neighbours, fewer than there are values."""
+    around = (*values, *values)
+    window = sum(around[:count])
+    longest = window
+    for begin in range(len(values) - 1):
+        window += around[begin + count] - around[begin]
+        longest = max(longest, window)
+    return longest

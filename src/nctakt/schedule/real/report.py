@@ -1,17 +1,33 @@
 # SPDX-License-Identifier: MIT
-"""A run as tables of text: its numbers, its punctuality, and the simulation for comparison.
+"""A run for its readers: tables of text, documents for other programs, diagnostics.
 
-In: ``Measurement``, ``Plan``, the simulation of the same model. Out: text in the user's language,
-times in µs.
+In: ``RunLog``, ``Measurement``, ``Plan``, the simulation of the same model. Out: text in the user's
+language, times in µs; dictionaries of plain values, as in ``schedule.reports.documents``; the
+diagnostics that a simulation does not share.
 """
 
 from __future__ import annotations
 
-from nctakt.base.diagnostics import Language, Text
-from nctakt.schedule.analysis.findings import us
+from collections.abc import Iterator
+from itertools import pairwise
+
+from nctakt.base.diagnostics import Diagnostic, Language, Text
+from nctakt.messages import diagnostic
+from nctakt.messages.scheduling.linux_run import (
+    LATE_WAKEUPS,
+    NOBODY_WAITS,
+    POSTS_CEASED,
+    POSTS_DRAINED,
+    SCHEDULE_RECORDING_FULL,
+    SCHEDULE_RUN_STOPPED,
+)
+from nctakt.schedule.analysis.findings import is_rare, us
 from nctakt.schedule.model import ANY_CPU, NS_PER_US
-from nctakt.schedule.real.measure import Measurement, tolerated
+from nctakt.schedule.real import area as layout
+from nctakt.schedule.real.measure import Measurement, late_wakes, tolerated
 from nctakt.schedule.real.plan import Plan, PlannedTask
+from nctakt.schedule.real.run import RunLog, placement_refusals
+from nctakt.schedule.reports.documents import Document, schedule_document, simulation_document
 from nctakt.schedule.reports.report import (
     CLASSES,
     NONE,
@@ -29,6 +45,10 @@ _STEPS_US = (10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 
 _FIFO = Text("SCHED_FIFO", "SCHED_FIFO")
 _ORDINARY = Text("ordinary scheduling", "gewöhnliches Scheduling")
+
+
+#: Periods without a post after which a semaphore counts as silent.
+_SILENT_PERIODS = 4
 
 
 def plan_report(plan: Plan, language: Language) -> str:
@@ -156,3 +176,76 @@ def _comparison(run: Simulation, simulated: Simulation, language: Language) -> l
                 ]
             )
     return table(heads.get(language).split("|"), rows, left=2)
+
+
+def run_findings(log: RunLog, measurement: Measurement, requested: int) -> Iterator[Diagnostic]:
+    """Yield the diagnostics of a run; ``requested``: the number of NC cycles of the command."""
+    cycles = measurement.run.cycles
+    yield from placement_refusals(log)
+    if log.was_stopped:
+        yield diagnostic(SCHEDULE_RUN_STOPPED, cycles=cycles)
+    is_shorter = cycles == log.plan.cycles < requested
+    if log.is_cut or is_shorter:
+        yield diagnostic(SCHEDULE_RECORDING_FULL, cycles=cycles)
+    if late := late_wakes(measurement):
+        yield diagnostic(LATE_WAKEUPS, count=len(late), latest=us(max(late)))
+    if log.plan.source is not None:
+        yield from _source_findings(log, log.plan.source)
+    yield from _unattended_semaphores(log)
+
+
+def _source_findings(log: RunLog, name: str) -> Iterator[Diagnostic]:
+    """Yield the diagnostics of the semaphore that triggers the NC interrupts."""
+    if log.drained:
+        yield diagnostic(POSTS_DRAINED, name=name, count=log.drained)
+    interrupts = log.entries[log.entries["kind"] == layout.INTERRUPT]
+    moments: list[int] = [*interrupts["value"].tolist(), log.end]
+    period = log.plan.model.train.distance
+    gap, begin = max((after - before, before) for before, after in pairwise(moments))
+    if gap > _SILENT_PERIODS * period:
+        yield diagnostic(POSTS_CEASED, name=name, gap=us(gap), time=us(begin), expected=us(period))
+
+
+def _unattended_semaphores(log: RunLog) -> Iterator[Diagnostic]:
+    """Yield a diagnostic for each external thread's semaphore with hardly any waiting process."""
+    for task in log.plan.tasks:
+        wakeups = log.wakeups[task.number]
+        posts = log.posts[task.number]
+        if wakeups is not None and posts and is_rare(wakeups, posts):
+            yield diagnostic(NOBODY_WAITS, name=task.semaphore, taken=wakeups, count=posts)
+
+
+def plan_document(plan: Plan) -> Document:
+    """Return the threads of a run with their priorities, processors and semaphores."""
+    return {
+        "schedule": schedule_document(plan.model),
+        "is_fifo": plan.is_fifo,
+        "threads": [
+            {
+                "key": planned.task.key,
+                "name": planned.task.name,
+                "class": planned.task.kind.value,
+                "linux_cpu": None if planned.task.cpu == ANY_CPU else planned.task.cpu - 1,
+                "fifo_priority": planned.priority if plan.is_fifo else None,
+                "semaphore": planned.semaphore or None,
+                "has_process": planned.has_process,
+            }
+            for planned in plan.tasks
+        ],
+    }
+
+
+def run_document(measurement: Measurement, simulated: Simulation) -> Document:
+    """Return a run, its punctuality, and the simulation for comparison."""
+    names = [task.key for task in measurement.run.model.tasks]
+    return {
+        **simulation_document(measurement.run, {}),
+        "simulated": simulation_document(simulated, {}),
+        "latencies_us": {
+            "timer": [time / NS_PER_US for time in measurement.timer],
+            **{
+                name: [time / NS_PER_US for time in times]
+                for name, times in zip(names, measurement.wakes, strict=True)
+            },
+        },
+    }

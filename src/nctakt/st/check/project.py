@@ -2,16 +2,20 @@
 """All declared objects of a project -> a checked program (ST-401 … 407, ST-601 … 606, ST-803).
 
 In: declarations of the project and the libraries that it refers to. Out: ``Program``. All mistakes
-are reported; an object with mistakes leaves the others checked.
+are reported; an object with mistakes leaves the others checked. Fixed addresses count bytes,
+regardless of their letter: ``%IW2`` are the bytes 2 and 3, ``%IX2.7`` is the last bit of byte 2.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable as CallableFunction
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from operator import itemgetter
 from typing import Protocol
 
 from nctakt.messages.plcs.st_check import (
+    ADDRESSES_OVERLAP,
     CONSTANT_EXPECTED,
     INTERFACE_MEMBER_MISSING,
     OVERRIDE_DIFFERS,
@@ -20,7 +24,6 @@ from nctakt.messages.plcs.st_check import (
     RECURSION_REFUSED,
 )
 from nctakt.messages.plcs.st_text import NESTED_TOO_DEEP
-from nctakt.st.check.addresses import report_overlaps
 from nctakt.st.check.conversions import bases_of
 from nctakt.st.check.names import Names, Namespace, Scope
 from nctakt.st.check.resolver import Resolver
@@ -61,6 +64,9 @@ from nctakt.st.vocabulary.libraries import BENEATH, SYSTEM, known, text_of
 
 #: The task of a project that declares none (ST-803).
 DEFAULT_TASK, DEFAULT_PROGRAM, DEFAULT_CYCLE_US = "PlcTask", "MAIN", 10_000
+
+
+_ADDRESS = re.compile(r"%([IQM])(X?)[BWDL]?(\d+)(?:\.(\d+))?", re.ASCII)
 
 
 class ProjectChecker(StatementChecker):
@@ -508,3 +514,34 @@ def _lacks(found: Property, required: Property) -> bool:
     return (required.get is not None and found.get is None) or (
         required.set is not None and found.set is None
     )
+
+
+def report_overlaps(program: Program, reporter: Reporter) -> None:
+    """Report variables that share bits on a controller, and have separate memory here."""
+    owners = [group.variables for group in program.lists]
+    owners += [pou.members for pou in program.pous.values() if pou.kind is Kind.PROGRAM]
+    found = [one for variables in owners for one in variables.values() if one.address]
+    for variable, other in _overlapping(found):
+        end = variable.start + len(variable.name)
+        reporter.report(
+            ADDRESSES_OVERLAP, variable.start, end, name=variable.name, other=other.name
+        )
+
+
+def _overlapping(variables: Iterable[Variable]) -> Iterator[tuple[Variable, Variable]]:
+    """Yield each variable that shares bits with one that begins before it, and that one."""
+    areas: dict[str, list[tuple[int, int, int, Variable]]] = {}
+    for variable in variables:
+        parts = _ADDRESS.fullmatch(variable.address)
+        if parts is not None:
+            area, is_bit, byte, bit = parts.groups()
+            begin = 8 * int(byte) + int(bit or 0)
+            size = 1 if is_bit or bit else 8 * variable.type.size
+            areas.setdefault(area, []).append((begin, begin + size, variable.start, variable))
+    for entries in areas.values():
+        reach, last = 0, None
+        for begin, end, _, variable in sorted(entries, key=itemgetter(0, 1, 2)):
+            if last is not None and begin < reach:
+                yield variable, last
+            if end > reach:
+                reach, last = end, variable

@@ -1,20 +1,36 @@
 # SPDX-License-Identifier: MIT
-"""The layout of V.E variables in the packed memory that a PLC sees, in bytes.
+"""The layout of V.E variables in the packed memory that a PLC sees, in bytes, and its checks.
 
 In: variables in the order of their list, the alignment of P-STUP-00145. Out: the offset of each
 number, string and array of them. The layout is that of a C structure under ``#pragma pack(n)``: the
 offset of a member is a multiple of its size or of n, whichever is less, the size of a structure is
 a multiple of its strictest member. Variables follow one another in the same way, unless the list
-has an offset (P-EXTV-00002); the next one follows it. 0, automatic, is 8.
+has an offset (P-EXTV-00002); the next one follows it. 0, automatic, is 8. A variable that shares
+bytes with an earlier one of any channel or lies outside the memory is reported and left out, as the
+controller does.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
+from nctakt.lists.declared.startup import StartupConfiguration
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.lists.machine.external.variables import Node, Variable
+from nctakt.lists.format.values import Values
+from nctakt.lists.machine.external.variables import (
+    Node,
+    Variable,
+    VariablesConfiguration,
+    VariableScope,
+)
+from nctakt.messages import Collector
+from nctakt.messages.machines.variables import (
+    EXTERNAL_VARIABLES_TOO_LARGE,
+    VARIABLE_OUTSIDE_MEMORY,
+    VARIABLES_OVERLAP,
+)
 
 #: The alignment that the controller chooses: that of TwinCAT 3.
 AUTOMATIC_ALIGNMENT = 8
@@ -138,3 +154,58 @@ def _fields(node: Node, path: str, offset: int, pack: int) -> Iterator[Field]:
             yield from _fields(
                 member, f"{element}.{member.name}", offset + index * size + member_offset, pack
             )
+
+
+def possible_variables(
+    startup: StartupConfiguration,
+    lists: Sequence[VariablesConfiguration],
+    collector: Collector,
+) -> tuple[VariablesConfiguration, ...]:
+    """Leave out variables that overlap (P-EXTV-00011) or are outside the memory (P-STUP-00037)."""
+    pack = pack_of(startup.member_alignment)
+    available = startup.external_variables_bytes
+    return tuple(_possible(variables, pack, available, collector) for variables in lists)
+
+
+def _possible(
+    variables: VariablesConfiguration, pack: int, available: int, collector: Collector
+) -> VariablesConfiguration:
+    dropped: set[str] = set()
+    for scope in VariableScope:
+        placed = place_variables([one for one in variables.external if one.scope is scope], pack)
+        inside = []
+        for one in placed:
+            if available and one.variable.byte_offset >= 0 and one.end > available:
+                dropped.add(one.variable.name)
+                collector.report(
+                    VARIABLE_OUTSIDE_MEMORY,
+                    None,
+                    name=one.variable.name,
+                    scope=scope.value,
+                    end=one.end,
+                    available=available,
+                )
+            else:
+                inside.append(one)
+        for one, other in overlaps(inside) if variables.checks_overlapping else ():
+            name, earlier = other.variable.name, one.variable.name
+            dropped.add(name)
+            collector.report(VARIABLES_OVERLAP, None, name=name, other=earlier, offset=other.offset)
+    kept = tuple(one for one in variables.external if one.name not in dropped)
+    return replace(variables, external=kept) if dropped else variables
+
+
+def check_memory(
+    startup: StartupConfiguration,
+    lists: Sequence[VariablesConfiguration],
+    values: Values,
+    collector: Collector,
+) -> None:
+    """Report channels with too many variables; ``values``: those of the start-up list."""
+    pack = pack_of(startup.member_alignment)
+    available = startup.external_variables_bytes
+    for channel, variables in enumerate(lists if available else (), start=1):
+        needed = sum(size_of(variable.node, pack) for variable in variables.external)
+        if needed > available:
+            numbers = {"channel": channel, "needed": needed, "available": available}
+            values.report(collector, EXTERNAL_VARIABLES_TOO_LARGE, ("ext_var_max",), **numbers)

@@ -40,7 +40,6 @@ from nctakt.servers.opcua.model.companion import (
     ObjectType,
 )
 from nctakt.servers.opcua.model.nodes import ARRAY, READ, SCALAR, WRITE, Nodes, standard, text
-from nctakt.servers.opcua.model.schemas import TYPES_XSD, binary_schema, xml_schema
 
 #: Data types of namespace 0 by their names.
 DATA_TYPES = {
@@ -68,6 +67,10 @@ ANALOG_PROPERTIES = (("EURange", "Range"), ("EngineeringUnits", "EUInformation")
 _TYPES = {known.name: known for known in (*OBJECT_TYPES, *machine_tool.TYPES)}
 
 
+#: The namespace of the XML schema.
+TYPES_XSD = "http://opcfoundation.org/UA/CNC/Types.xsd"
+
+
 @dataclass(frozen=True, slots=True)
 class _Encoding:
     """How positions are encoded.
@@ -82,6 +85,56 @@ class _Encoding:
     schema: Callable[[], bytes]
     folder: int
     location: str
+
+
+def binary_schema() -> bytes:
+    """Return the dictionary of the binary encoding."""
+    lines = [
+        '<opc:TypeDictionary xmlns:opc="http://opcfoundation.org/BinarySchema/"'
+        ' xmlns:ua="http://opcfoundation.org/UA/"'
+        f' xmlns:tns="{CNC_URI}" DefaultByteOrder="LittleEndian" TargetNamespace="{CNC_URI}">',
+        '<opc:Import Namespace="http://opcfoundation.org/UA/"/>',
+        '<opc:StructuredType BaseType="ua:ExtensionObject" Name="CncPositionDataType">',
+        *(f'<opc:Field TypeName="opc:Double" Name="{name}"/>' for name in POSITION_FIELDS),
+        "</opc:StructuredType>",
+    ]
+    for enumeration in ENUMERATIONS:
+        lines += [
+            f'<opc:EnumeratedType LengthInBits="32" Name="{enumeration.name}">',
+            *(
+                f'<opc:EnumeratedValue Name="{name}" Value="{value}"/>'
+                for value, name in enumerate(enumeration.names)
+            ),
+            "</opc:EnumeratedType>",
+        ]
+    return "\n".join([*lines, "</opc:TypeDictionary>", ""]).encode()
+
+
+def xml_schema() -> bytes:
+    """Return the dictionary of the XML encoding."""
+    lines = [
+        '<xs:schema elementFormDefault="qualified" xmlns:xs="http://www.w3.org/2001/XMLSchema"'
+        f' targetNamespace="{TYPES_XSD}" xmlns:tns="{TYPES_XSD}">'
+    ]
+    for enumeration in ENUMERATIONS:
+        lines += [
+            f'<xs:simpleType name="{enumeration.name}"><xs:restriction base="xs:string">',
+            *(
+                f'<xs:enumeration value="{name}_{value}"/>'
+                for value, name in enumerate(enumeration.names)
+            ),
+            "</xs:restriction></xs:simpleType>",
+            f'<xs:element name="{enumeration.name}" type="tns:{enumeration.name}"/>',
+        ]
+    lines += [
+        '<xs:complexType name="CncPositionDataType"><xs:sequence>',
+        *(f'<xs:element name="{name}" type="xs:double"/>' for name in POSITION_FIELDS),
+        "</xs:sequence></xs:complexType>",
+        '<xs:element name="CncPositionDataType" type="tns:CncPositionDataType"/>',
+        "</xs:schema>",
+        "",
+    ]
+    return "\n".join(lines).encode()
 
 
 _ENCODINGS = (

@@ -32,7 +32,6 @@ from nctakt.servers.opcua.model.companion import (
 from nctakt.servers.opcua.model.nodes import ARRAY, HISTORY, READ, SCALAR, WRITE, Nodes, standard
 from nctakt.servers.opcua.model.position import CncPositionDataType
 from nctakt.servers.opcua.model.types import ANALOG_PROPERTIES, CompanionTypes, all_components
-from nctakt.servers.opcua.model.units import is_unit, unit
 from nctakt.servers.opcua.space.components import (
     ProgramTexts,
     Shown,
@@ -73,6 +72,24 @@ _VARIANTS = {
     "Double": ua.VariantType.Double,
     "String": ua.VariantType.String,
     "NodeId": ua.VariantType.NodeId,
+}
+
+
+_NAMESPACE = "http://www.opcfoundation.org/UA/units/un/cefact"
+
+#: Sign -> code and name.
+_UNITS = {
+    "mm": ("MMT", "millimetre"),
+    "°": ("DD", "degree [unit of angle]"),
+    "%": ("P1", "percent"),
+    "mm/min": ("H81", "millimetre per minute"),
+    "mm/s": ("C16", "millimetre per second"),
+    "1/min": ("RPM", "revolutions per minute"),
+    "s": ("SEC", "second [unit of time]"),
+    "ms": ("C26", "millisecond"),
+    "µs": ("B98", "microsecond"),
+    "N·m": ("NU", "newton metre"),
+    "kW": ("KWT", "kilowatt"),
 }
 
 
@@ -375,3 +392,19 @@ def _text_reader(name: str) -> Any:
 
 def _component(type_: str, name: str) -> Component:
     return next(one for one in all_components(type_) if one.name == name)
+
+
+def unit(sign: str) -> ua.EUInformation:
+    """Return a unit by its sign."""
+    code, name = _UNITS[sign]
+    return ua.EUInformation(
+        NamespaceUri=_NAMESPACE,
+        UnitId=int.from_bytes(code.encode(), "big"),
+        DisplayName=ua.LocalizedText(sign, ""),
+        Description=ua.LocalizedText(name, "en"),
+    )
+
+
+def is_unit(sign: str) -> bool:
+    """Return whether there is a unit of this sign."""
+    return sign in _UNITS

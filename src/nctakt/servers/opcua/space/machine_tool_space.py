@@ -16,18 +16,26 @@ from typing import NamedTuple
 from asyncua import ua
 
 from nctakt.base.version import __version__
+from nctakt.kernel import codes
 from nctakt.lists.machine.machine import ChannelConfiguration
 from nctakt.servers.host import Host
 from nctakt.servers.opcua.live_space import LiveSpace
 from nctakt.servers.opcua.model import machine_tool as model
 from nctakt.servers.opcua.model import nodes as refs
 from nctakt.servers.opcua.model.companion import ANALOG_RANGE, MANDATORY, PROPERTY
+from nctakt.servers.opcua.model.machine_tool import (
+    ABORTED,
+    ENDED,
+    INITIALIZING,
+    INTERRUPTED,
+    RUNNING,
+)
 from nctakt.servers.opcua.model.nodes import Nodes, standard, text
 from nctakt.servers.opcua.model.types import CompanionTypes, all_components
 from nctakt.servers.opcua.space.components import Shown, ShownPosition, fixed
 from nctakt.servers.opcua.space.machine_space import MachineSpace
-from nctakt.servers.opcua.space.program_states import ProgramStates
 from nctakt.servers.opcua.values import Live, NotSupported, Value, ValueSnapshot
+from nctakt.session.listening import Frame
 
 _FOLDER, _OBJECTS = standard(61), standard(85)
 _KINDS = ua.VariantType
@@ -355,3 +363,47 @@ class MachineToolSpace:
 
 def _constant(value: Value) -> Callable[[ValueSnapshot], Value]:
     return lambda _: value
+
+
+class ProgramStates:
+    """The state of the program of the first channel.
+
+    ``names``: the values that it needs. ``parts``: programs that have ended since the start of the
+    server. ``first_program``: the one it was started with, "" for none; ``has_run``: whether any
+    has begun.
+    """
+
+    def __init__(self, host: Host) -> None:
+        machine = host.machine
+        self.channel = machine.channels[0].number
+        prefix = f"CH{self.channel}." if len(machine.channels) > 1 else ""
+        self._state, self._armed = f"{prefix}HLI.STATE", f"{prefix}HLI.ARMED"
+        self._stops = (f"{prefix}HLI.PAUSED", f"{prefix}HLI.FEED_HOLD")
+        self.names = (self._state, self._armed, *self._stops)
+        self.first_program = next(iter(host.session.description.texts), "")
+        self.parts = 0
+        self.has_run = False
+        self._has_ended = False
+
+    def receive(self, frame: Frame) -> None:
+        """Notice a program that has begun or ended."""
+        if self._state not in frame.values:
+            return
+        ends = sum(one.kind == "end" and one.channel in (0, self.channel) for one in frame.events)
+        self.parts += ends
+        if ends:
+            self.has_run = self._has_ended = True
+        if frame.values[self._state] == codes.CHANNEL_RUNNING:
+            self.has_run, self._has_ended = True, False
+
+    def state(self, moment: ValueSnapshot) -> int:
+        """Return the number of the state."""
+        state = moment.values.get(self._state)
+        if state is None:
+            raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
+        if state == codes.CHANNEL_RUNNING:
+            is_held = any(moment.values[name] for name in self._stops)
+            return INTERRUPTED if is_held else RUNNING
+        if state in (codes.CHANNEL_ERROR, codes.CHANNEL_RESET):
+            return ABORTED
+        return ENDED if self._has_ended and not moment.values[self._armed] else INITIALIZING

@@ -16,9 +16,14 @@ from support.insides import exchange_queue
 from nctakt import Failure, NcText, Session
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import CONTROLLER_LOST
+from nctakt.session.clock import FastClock
 from nctakt.session.core import SessionCore
+from nctakt.session.engine import Engine
+from nctakt.session.history.parking import SPARSE_US
 from nctakt.session.process import thread as thread_module
 from nctakt.session.process.thread import SessionThread
+from nctakt.session.process.worker import can_fork
+from nctakt.session.setup import Setup
 
 #: How long a test waits, in seconds.
 PATIENCE_S = 60.0
@@ -26,7 +31,7 @@ PATIENCE_S = 60.0
 
 def test_who_asks_while_it_closes_gets_an_answer() -> None:
     """Also one whose command is on its way into the queue when the thread ends."""
-    thread = SessionThread(lambda _clock: None)
+    thread = SessionThread(lambda _clock: None, lambda: False)
     is_on_its_way = threading.Event()
 
     class SlowQueue(queue.Queue[Any]):
@@ -47,6 +52,81 @@ def test_who_asks_while_it_closes_gets_an_answer() -> None:
         assert answer.result(PATIENCE_S) == 2
     with pytest.raises(Failure, match="901155"):
         thread.ask(int, "3")
+
+
+def test_it_works_for_commands_to_come_while_none_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only after a command, and until nothing is left to do; then it waits."""
+    monkeypatch.setattr(thread_module, "PREPARING_S", 0.01)
+    left, is_done = [3], threading.Event()
+
+    def prepare() -> bool:
+        assert left[0] > 0
+        left[0] -= 1
+        if not left[0]:
+            is_done.set()
+        return left[0] > 0
+
+    thread = SessionThread(lambda _clock: None, prepare)
+    assert not is_done.wait(0.05)
+    assert left == [3]
+    assert thread.ask(int, "1") == 1
+    assert is_done.wait(PATIENCE_S)
+    thread.close()
+    assert left == [0]
+
+
+@pytest.mark.skipif(not can_fork(), reason="only where controllers can be parked")
+def test_after_a_journey_controllers_are_parked_for_steps_back() -> None:
+    """The journey itself does not wait for that (``Timeline.refine``)."""
+    program = NcText("p.nc", "$WHILE 1\nG01 X10 F1000\nG01 X0\n$ENDWHILE\nM30")
+    core = SessionCore(Setup({1: [program]}, options={"until": "24 h"}))
+    try:
+        while core.timeline.branch.work_at(core.tick) < 4 * SPARSE_US:
+            core.run(core.tick + 10_000)
+        assert not core.prepare()
+        core.go_to(core.tick // 2)
+        live, tick, works = core.timeline.live, core.tick, 1
+        while core.prepare():
+            works += 1
+        assert works > 1
+        assert core.timeline.live is live
+        assert live.tick == tick
+        assert not core.prepare()
+        core.back(1)
+        straight = Engine(Setup({1: [program]}, options={"until": "24 h"}))
+        straight.run(tick - 1)
+        assert core.read(["X.ACS.ACT_POS"]) == straight.read(["X.ACS.ACT_POS"])
+    finally:
+        core.close()
+
+
+def test_a_run_of_new_ticks_ends_before_its_end_once_somebody_waits() -> None:
+    """What it has run by then is a slice as any other, and its marks are those of a rerun."""
+    program = NcText("p.nc", "$WHILE 1\nG01 X10 F1000\nG01 X0\n$ENDWHILE\nM30")
+    setup = Setup({1: [program]}, options={"until": "24 h"})
+    engine, again = Engine(setup), Engine(setup)
+    timer = threading.Timer(0.05, setattr, (engine, "is_hurried", True))
+    timer.start()
+    done = engine.run(50_000_000, marks=None)
+    timer.join()
+    assert 0 < done.tick < 50_000_000
+    assert done.marks[-1].tick == done.tick
+    rerun = again.run(done.tick, marks=[mark.tick for mark in done.marks])
+    assert [mark.digest for mark in rerun.marks] == [mark.digest for mark in done.marks]
+    assert engine.run(done.tick + 100, marks=None).tick == done.tick + 100
+
+
+def test_a_pause_does_not_wait_for_the_end_of_a_slice(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Slices that would take half a minute: the controller is told that somebody waits."""
+    if not can_fork():
+        pytest.skip("only where processes get signals")
+    monkeypatch.setattr(FastClock, "next_tick", lambda _clock, _now_s: 60_000_000)
+    program = NcText("p.nc", "$WHILE 1\nG01 X10 F1000\nG01 X0\n$ENDWHILE\nM30")
+    with Session(program, until="24 h") as session:
+        session.play(None)
+        time.sleep(0.5)
+        paused = session.pause()
+        assert 0 < paused.tick == session.tick < 60_000_000
 
 
 def test_a_controller_that_is_lost_while_it_is_read_ends_play_and_no_more(

@@ -217,6 +217,10 @@ class SessionCore:
         self._latest = self.timeline.go_to(tick, branch)
         return self._latest
 
+    def prepare(self) -> bool:
+        """Work for commands to come, while there are none; return whether there is more to do."""
+        return self.timeline.refine()
+
     def back(self, ticks: int = 1) -> StepResult:
         """Go back by this number of ticks, at most to the start."""
         return self.go_to(max(0, self.tick - ticks))
@@ -230,6 +234,10 @@ class SessionCore:
         """
         tick = self.timeline.previous(stops, evidence)
         return None if tick is None else self.go_to(tick)
+
+    def hurry(self) -> None:
+        """Let a slice that is under way end soon; any thread may call it."""
+        self.timeline.hurry()
 
     # --- stops ----------------------------------------------------------------------------------
 

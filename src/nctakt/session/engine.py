@@ -206,7 +206,10 @@ class StateView:
 
 
 class Engine:
-    """One controller that runs the programs of a setup; raises ``Failure`` as a controller does."""
+    """One controller that runs the programs of a setup; raises ``Failure`` as a controller does.
+
+    ``is_hurried``: somebody waits for the end of a run of new ticks, which may be before its own.
+    """
 
     def __init__(self, setup: Setup) -> None:
         access = FileAccess([Path(folder) for folder in setup.folders])
@@ -234,6 +237,7 @@ class Engine:
         self._newest: dict[Span, int] = {}
         self._stops: Sequence[StopAt] = ()
         self._listed: list[int | str] = []
+        self.is_hurried = False
         self._reported_diagnostics = self._reported_messages = 0
         plc = load_plcs(setup.plcs)
         for one in parts_of(plc)[0]:
@@ -376,12 +380,15 @@ class Engine:
     ) -> StepResult:
         """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end.
 
+        Ticks that are run for the first time may end before that, once ``is_hurried``.
+
         Without ``events`` the slice has none; the next one that has any brings them along.
         ``since``, not before the next tick: where the slice begins; everything earlier is
         forgotten, except diagnostics. ``marks``: where the slice has marks; ``None``: the ticks run
         for the first time, with as many marks as necessary, and the rows of events. ``rests``: also
         end where no stop can hold any more without input.
         """
+        self.is_hurried = False
         if stops != self._stops:
             self._watch(stops)
         self._stop_builder.watch_pauses(PAUSED if rests else None)
@@ -407,7 +414,7 @@ class Engine:
             hits = [hit for hit in hits if hit < len(stops)]
             is_there = bool(hits) or self._run.state is not None
             resting = () if is_there or not rests else rest(self._machine, self._loop, stops)
-            if is_there or resting or self.tick >= end:
+            if is_there or resting or self.tick >= end or (marks is None and self.is_hurried):
                 break
         done = self._slice(first, hits, events=events or is_there or bool(resting), resting=resting)
         rows, columns = self._trail.take(), self._trail.take_columns()
@@ -442,6 +449,7 @@ class Engine:
             is_stopped = self._run.advance(bound)
             is_due = self._trail.note(self.tick - before, now_us() - begin_us)
             is_there = is_stopped or self._run.state is not None or self.tick >= end
+            is_there = is_there or self.is_hurried
             if resting is not None and not is_there and self.tick % LOOK_TICKS == 0:
                 is_there = bool(rest(self._machine, self._loop, resting))
             if is_due or is_there:
@@ -866,9 +874,13 @@ class Engine:
 
 
 def _recorded(machine: AssembledMachine) -> list[str]:
-    """Return the signals of a run, and the single variables of the machine."""
-    variables = [name for name in machine.signals() if _VARIABLE.fullmatch(name)]
-    return [*machine.default_signals(), *variables][:MAX_SIGNALS]
+    """Return the signals of a run, and the single variables of the machine, each of them once."""
+    signals = machine.signals()
+    variables = [name for name in signals if _VARIABLE.fullmatch(name)]
+    names: dict[int, str] = {}
+    for name in (*machine.default_signals(), *variables):
+        names.setdefault(signals[name][0], name)  # all channels have the variables of the machine
+    return list(names.values())[:MAX_SIGNALS]
 
 
 #: A variable of the machine that is no element of an array and no part of a structure.

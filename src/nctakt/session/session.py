@@ -130,7 +130,7 @@ class Session:
         has_schedule = setup.rtconf is not None
         self._pacing = Pacing(pace, self.description.cycle_time_us, has_schedule=has_schedule)
         self._subscribers = Subscribers(self._core)
-        self._thread = SessionThread(self._run_slice)
+        self._thread = SessionThread(self._run_slice, self._prepare)
         self._ask, self.together = self._thread.ask, self._thread.together
 
     def _poll(self) -> None:
@@ -139,6 +139,12 @@ class Session:
         progress = self._core.progress
         if self.on_travel is not None and progress is not None:
             self.on_travel(*progress)
+
+    def _prepare(self) -> bool:
+        try:
+            return self._core.prepare()
+        except (Failure, RuntimeError):  # going there reports the reason
+            return False
 
     def _run_slice(self, clock: AnyClock) -> None:
         end = clock.next_tick(time.monotonic())
@@ -436,12 +442,13 @@ class Session:
 
     def pause(self) -> StepResult:
         """Stop between two ticks, also a ``run`` of another thread; return the latest slice."""
-        self._thread.interrupt()
+        self.interrupt()
         return self._ask(self._pause)
 
     def interrupt(self) -> None:
         """Let runs and steps of other threads end soon; travel and ``why`` raise 901474."""
         self._thread.interrupt()
+        self._core.hurry()
 
     def _pause(self) -> StepResult:
         clock, self._thread.clock = self._thread.clock, None

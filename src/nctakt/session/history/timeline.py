@@ -99,6 +99,7 @@ class Timeline:
         self._held: Failure | None = None
         self._confirmed = Confirmed()
         self._is_warm = False
+        self._is_refined = True
         self.progress: tuple[int, int] | None = None
         self.took_s = 0.0
         if self._can_copy:
@@ -149,6 +150,10 @@ class Timeline:
         if self._can_copy and self._is_far_from_parked():
             self._park()
         return done if again is None else joined(again, done)
+
+    def hurry(self) -> None:
+        """Let the live controller run no more new ticks than it must; any thread may call it."""
+        self._pool.hurry()
 
     def _run_again(self, end: int, stops: Sequence[StopAt], *, events: bool) -> StepResult:
         """Let the live controller rerun ticks that it has run before."""
@@ -340,8 +345,10 @@ class Timeline:
         present_us = target.work_at(tick)
         self._parked.keep_candidate(present_us)
         self._live, self.branch, self._fault = engine, target, None
-        spent_us = present_us - begin_us + COPY_US * (self._pool.copies - copies)
-        self._refine(spent_us, is_step=abs(present_us - before_us) < SPARSE_US)
+        self._is_refined = abs(present_us - before_us) < SPARSE_US
+        if self._is_refined:
+            spent_us = present_us - begin_us + COPY_US * (self._pool.copies - copies)
+            self._refine_step(spent_us)
         return done
 
     def _leave(self, *, is_front: bool) -> None:
@@ -439,29 +446,42 @@ class Timeline:
         steps = range(max(first + 1, tick - NEAR_TICKS), tick + 1)
         return sorted({*(one + 1 for one in blocks), *steps})
 
-    def _refine(self, spent_us: float, *, is_step: bool) -> None:
-        """Park where it is far to the next parked controller, for those who go back from here.
+    def refine(self) -> bool:
+        """Park at one place before here, for steps back by somebody who has come from afar.
 
-        Where somebody goes step by step this takes ``REFINED_US`` at most, with the work that the
-        step itself has been.
+        Return whether there may be others. It takes as long as a short travel: nobody should wait.
         """
-        if not self._refines:
-            return
-        while spent_us < REFINED_US or not is_step:
-            present_us = self.branch.work_at(self.tick)
-            parked = self._parked.before(self.branch, self.tick)
-            gap = first_gap([one.work_us for one in parked], present_us)
-            if gap is None:
+        if not self._is_refined:
+            self._is_refined = self._refined(math.inf, FAR_US) is None
+        return not self._is_refined
+
+    def _refine_step(self, spent_us: float) -> None:
+        """Do the same at once, where somebody goes step by step: ``REFINED_US`` with the step."""
+        while spent_us < REFINED_US:
+            work_us = self._refined(REFINED_US - spent_us)
+            if work_us is None:
                 return
-            older, mark = parked[gap[0]], self.branch.mark_before_work(gap[1])
-            is_far = present_us - gap[1] > FAR_US
-            if mark is None or mark.tick <= older.tick or (is_far and not is_step):
-                return
-            limit_us = REFINED_US - spent_us if is_step else math.inf
-            try:
-                spent_us += self._fill(older, mark, limit_us)
-            except Failure:
-                return  # going there reports the reason; here it is not needed
+            spent_us += work_us
+
+    def _refined(self, limit_us: float, reach_us: float = math.inf) -> float | None:
+        """Park where it is far to the next parked controller, at most ``reach_us`` before here.
+
+        Return the work, about ``limit_us`` at most; ``None``: it is far nowhere.
+        """
+        if not self._refines or self._fault is not None:
+            return None
+        present_us = self.branch.work_at(self.tick)
+        parked = self._parked.before(self.branch, self.tick)
+        gap = first_gap([one.work_us for one in parked], present_us)
+        if gap is None or present_us - gap[1] > reach_us:
+            return None
+        older, mark = parked[gap[0]], self.branch.mark_before_work(gap[1])
+        if mark is None or mark.tick <= older.tick:
+            return None
+        try:
+            return self._fill(older, mark, limit_us)
+        except Failure:
+            return None  # going there reports the reason; here it is not needed
 
     def _fill(self, older: Parked, mark: PastMark, limit_us: float) -> float:
         """Bring a copy of a parked controller to a mark, or some work nearer; return the work."""

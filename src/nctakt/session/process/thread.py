@@ -22,6 +22,9 @@ from nctakt.session.clock import AnyClock
 #: Maximum number of commands that wait for the thread; whoever adds one more waits.
 MAX_COMMANDS = 1000
 
+#: After how long without a command the thread works for those to come, in seconds.
+PREPARING_S = 0.25
+
 #: How long a closing thread may take to finish its work, in seconds.
 CLOSING_S = 10.0
 
@@ -32,12 +35,14 @@ _T = TypeVar("_T")
 class SessionThread:
     """Does commands, and between them the slices that ``clock`` asks for.
 
-    ``run_slice`` runs one; without a clock nothing runs unasked. ``interruptions`` counts the calls
-    of ``interrupt``: a command requested before the last one shall end.
+    ``run_slice`` runs one; without a clock nothing runs unasked but ``prepare``, which returns
+    whether it has more to do. ``interruptions`` counts the calls of ``interrupt``: a command
+    requested before the last one shall end.
     """
 
-    def __init__(self, run_slice: Callable[[AnyClock], None]) -> None:
+    def __init__(self, run_slice: Callable[[AnyClock], None], prepare: Callable[[], bool]) -> None:
         self._run_slice = run_slice
+        self._prepare = prepare
         self.clock: AnyClock | None = None
         self.interruptions = 0
         self._asked_at = 0
@@ -49,18 +54,24 @@ class SessionThread:
         self._thread.start()
 
     def _live(self) -> None:
+        is_prepared = True
         while True:
             clock = self.clock
-            wait_s = None if clock is None else clock.wait_s(time.monotonic())
+            wait_s = None if is_prepared else PREPARING_S
+            if clock is not None:
+                wait_s = clock.wait_s(time.monotonic())
             try:
                 command = self._commands.get(block=wait_s != 0.0, timeout=wait_s or None)
             except queue.Empty:
-                assert clock is not None
-                self._run_slice(clock)
+                if clock is not None:
+                    self._run_slice(clock)
+                else:
+                    is_prepared = not self._prepare()
                 continue
             if command is None:
                 return
             command()
+            is_prepared = False
 
     def interrupt(self) -> None:
         """Make everything requested so far end soon."""

@@ -85,6 +85,11 @@ class Worker:
             except OSError:
                 return
 
+    def hurry(self, *_: object) -> None:
+        """Let the run of new ticks that is under way end soon."""
+        if self._engine is not None:
+            self._engine.is_hurried = True
+
     def end(self) -> None:
         """End a copy at once, without Python's cleanup; return in the first process.
 
@@ -175,9 +180,10 @@ def main() -> None:
     """Serve the session whose address is the first word; the key comes by standard input."""
     key = sys.stdin.buffer.read(KEY_SIZE)
     interrupts.ignore()  # they may go to a whole group; the session ends its workers itself
+    worker = Worker(sys.argv[1], key)
     if can_fork():
         signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the copies are not waited for
-    worker = Worker(sys.argv[1], key)
+        signal.signal(signal.SIGUSR1, worker.hurry)
     with contextlib.suppress(OSError, EOFError):  # the session has ended meanwhile
         worker.connect(sys.argv[2])
         worker.serve()

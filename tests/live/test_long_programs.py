@@ -47,6 +47,19 @@ HAVE_COME = f"""() => {{
   return lines.length > 5 && lines.every(([, text]) => text);
 }}"""
 
+#: In how many of twenty looks, while it plays, the block is marked in view among lines that have
+#: all come.
+LOOKS = f"""async () => {{
+  let seen = 0;
+  for (let look = 0; look < 20; look += 1) {{
+    await new Promise((done) => setTimeout(done, 50));
+    const lines = ({IN_VIEW})();
+    seen += lines.length > 5 && lines.every(([, text]) => text)
+      && lines.some(([,,, name]) => name.includes("nc-block"));
+  }}
+  return [seen, nctaktRun.run.isPlaying];
+}}"""
+
 
 @pytest.fixture(scope="module")
 def long(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -164,6 +177,22 @@ def test_the_running_block_and_stops_in_a_million_lines(page: Any, long: Path) -
     page.get_by_test_id("toggle").click()
     expect(page.get_by_text(re.compile(f"Stopped: line .*:{block + 2}"))).to_be_visible()
     page.wait_for_function(f"nctaktRun.run.block === {block + 2}")
+
+
+def test_a_fast_block_is_in_view_while_it_plays(page: Any, tmp_path: Path) -> None:
+    """A thousand blocks a second: the lines come with the mark, not by a request after it."""
+    moves = [f"N{number} X{number * 0.01:.2f}" for number in range(MAX_EDITED_LINES + 10_000)]
+    path = tmp_path / "cam.nc"
+    path.write_text("\n".join(["G01 F6000", *moves, "M30", ""]), "utf-8")
+    with served(str(path)) as address:
+        other = opened(page.context.browser, address)
+        other.wait_for_function("globalThis.nctaktEditor?.isLong")
+        other.get_by_test_id("toggle").click()
+        other.wait_for_function("nctaktRun.run.block > 200")
+        seen, is_playing = other.evaluate(LOOKS)
+        other.close()
+    assert is_playing
+    assert seen >= 15
 
 
 @pytest.mark.nightly

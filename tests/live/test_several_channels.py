@@ -92,3 +92,13 @@ def test_paths_of_channels_and_rows_of_truth_values(browser: Any, tmp_path: Path
             assert (booleans[place], now[place]) == (True, trace.at(at, FREE))
             assert booleans[names.index(X)] is False
         page.close()
+
+
+def test_a_channel_without_variables_says_so(browser: Any) -> None:
+    """Nothing has been searched for: that no variable has a name would be no answer."""
+    folder = Path(__file__).parents[2] / "examples" / "channels"
+    words = ("--channel", "2", str(folder / "unload.nc"), "--machine", str(folder / "machine"))
+    with served(str(folder / "load.nc"), *words) as address:
+        page = opened(browser, address)
+        expect(page.get_by_text("This channel has no V.E variables.")).to_be_visible()
+        page.close()

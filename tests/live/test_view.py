@@ -99,6 +99,16 @@ def test_values_that_have_changed_since_the_evaluation_are_marked() -> None:
     assert line["class"] == "nc-unknown"
 
 
+def test_a_difference_below_the_shown_digits_is_no_change() -> None:
+    """``60 > 50 · now true: 60 > 50`` would ask the reader to see what cannot be seen."""
+    seen, now = (Compared(">", True, value, 50) for value in (59.9999999999, 60.0))
+    assert str(seen) == str(now)
+    state = branch(True, count=3, seen=seen, now=now)
+    *_, widget = view.program_marks(LINES, FILE, snapshot(state), TEXTS)
+    assert widget["text"] == "true in tick 4: 60 > 50 · ran 3×"
+    assert widget["class"] == "nc-inline"
+
+
 def test_a_living_cycle_is_shown_before_an_ended_one_of_its_line() -> None:
     living = snapshot(branch(False)).cycles
     ended = snapshot(branch(True), state="ended").cycles

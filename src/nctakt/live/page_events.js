@@ -122,12 +122,14 @@
     else goal = 0;
   };
   const reveal = (view, { run }) => {
+    if (run.isPlaying && globalThis.nctaktEditor?.isLong) return; // its lines and marks come together
     const now = run.isPlaying ? `${run.block}` : `${run.block} ${run.tick}`;
     if (now === shown || !run.block || run.block > view.state.doc.lines || Date.now() < quietUntil) return;
     shown = now;
     goal = run.block;
     look(view, goal);
   };
+  globalThis.nctaktFollows = () => globalThis.nctaktRun?.run.isPlaying && Date.now() >= quietUntil;
   globalThis.nctaktBring = (line) => {
     const view = editor();
     if (!view) return;

@@ -52,12 +52,15 @@
     // typed meanwhile, the request is repeated a few times only: the server may never get that text.
     const setColours = StateEffect.define(), colours = fieldOf(setColours), classes = new Map();
     const lock = new CM.Compartment();
-    let timer = 0, tries = 0, edition = -1, isLong = false;
+    let timer = 0, tries = 0, edition = -1, isLong = false, covered = [0, -1];
     const askLines = (after) => {
       timer ||= setTimeout(() => {
         timer = 0;
         const { state: { doc }, viewport: { from, to } } = view;
-        emitEvent("nctakt_lines", { first: doc.lineAt(from).number, last: doc.lineAt(to).number });
+        const first = doc.lineAt(from).number, last = doc.lineAt(to).number;
+        if (isLong && covered[0] <= first && last <= covered[1]) return;
+        covered = [0, -1];
+        emitEvent("nctakt_lines", { first, last });
       }, after);
     };
     const look = EditorView.updateListener.of((update) => {
@@ -72,6 +75,7 @@
     };
     const hold = (lines) => {
       isLong = lines > 0;
+      view.dom.parentElement.classList.toggle("nc-long", isLong);
       put({ from: 0, to: view.state.doc.length, insert: "\n".repeat(Math.max(0, lines - 1)) });
       view.dispatch({ effects: lock.reconfigure(isLong ? [EditorState.readOnly.of(true)] : []) });
     };
@@ -284,6 +288,15 @@
       };
     };
 
+    // A block that runs fast is shown at once: by the next frame the program has gone on.
+    const follow = (position) => {
+      const { scrollDOM } = view, { top, bottom } = view.lineBlockAt(position);
+      if (top >= scrollDOM.scrollTop && bottom <= scrollDOM.scrollTop + scrollDOM.clientHeight) return;
+      scrollDOM.scrollTop = Math.max(0, top - scrollDOM.clientHeight / 2);
+      view.requestMeasure();
+      view.coordsAtPos(position); // what is asked for now is measured now
+    };
+
     view.dispatch({
       effects: StateEffect.appendConfig.of([
         colours, marks, stops, openTip, look, hover, lock.of([]),
@@ -314,7 +327,17 @@
     };
     globalThis.nctaktEditor = {
       replace, show, answer, go, explain, next, own,
-      mark(found) { known = found; showMarks(); },
+      // The lines around the block of a long program come with its marks: it may run too fast to ask.
+      mark(found, block = 0, first = 0, lines = []) {
+        known = found;
+        const follows = isLong && block > 0 && block <= view.state.doc.lines && globalThis.nctaktFollows();
+        if (follows && lines.length) {
+          show(edition, view.state.doc.lines, first, lines);
+          covered = [first, first + lines.length - 1];
+        }
+        showMarks();
+        if (follows) follow(view.state.doc.line(block).from);
+      },
       get isLong() { return isLong; },
     };
     showMarks();

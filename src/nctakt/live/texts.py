@@ -281,6 +281,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "to_scope": ("Show in the scope", "Im Oszilloskop zeigen"),
     "search_variable": ("Search a V.E variable", "V.E-Variable suchen"),
     "no_variable": ("No variable has that name.", "Keine Variable heißt so."),
+    "no_variables": ("This channel has no V.E variables.", "Dieser Kanal hat keine V.E-Variablen."),
     "more_variables": ("{count} more: search", "{count} weitere: suchen"),
     "next_tick": ("Acts from the next tick on.", "Wirkt ab dem nächsten Takt."),
     "waiting": ("Functions for the PLC", "Funktionen an die SPS"),

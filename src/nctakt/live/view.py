@@ -301,8 +301,14 @@ def truth_class(branch: BranchState) -> str:
 
 
 def is_moved(branch: BranchState) -> bool:
-    """Return whether a condition would compare other values now than at its last evaluation."""
-    return branch.seen is not None and branch.seen != branch.now
+    """Return whether a condition would compare visibly other values now than when evaluated.
+
+    A difference below the digits that are shown would look like none.
+    """
+    seen, now = branch.seen, branch.now
+    if seen is None or now is None:
+        return seen is not now
+    return (seen.truth, str(seen)) != (now.truth, str(now))
 
 
 def branch_text(branch: BranchState, line: str, texts: Texts, *, has_ended: bool = False) -> str:

@@ -57,6 +57,11 @@ class _Question:
     text: str
 
 
+#: Lines around the running block of a long program that a browser gets with it, on each side; so
+#: many of them have to be there already if it gets none: about as many as it shows.
+_AROUND, _NEAR = 80, 30
+
+
 class ProgramCard:
     """The editor of one browser; ``findings``: of the present text, without notes.
 
@@ -85,6 +90,8 @@ class ProgramCard:
         self._typed = 0
         self._checks = Newest(self._check)
         self._colours = Newest(self._send_lines)
+        self._following = Newest(self._send_block)
+        self._sent = range(0)
         self._searches = Newest(self._go_to)
         self._questions = {name: Newest(self._answer) for name in ("complete", "explain")}
         self._marks: list[dict[str, Any]] | None = None
@@ -228,7 +235,10 @@ class ProgramCard:
             marks += view.program_marks(shared.lines, file, snapshot, self._texts, stops)
         if marks != self._marks and self._is_ready and (self.is_checked or not self.is_edited):
             self._marks = marks
-            self._run(f"mark({json.dumps(marks)})")
+            if self._is_long:
+                background_tasks.create(self._following.wish(marks))
+            else:
+                self._run(f"mark({json.dumps(marks)})")
 
     def _show_edited(self) -> None:
         """Show whether there is unsaved text."""
@@ -315,6 +325,7 @@ class ProgramCard:
         self._is_long = self.document.is_long and not change.new
         self._marks, self._found, self.findings, self._checked = None, [], [], None
         self._edition += 1
+        self._sent = range(0)
         self._line = 0
         self._choice.set_value(self._key())
         self._show_length()
@@ -384,6 +395,20 @@ class ProgramCard:
         shown = await run.io_bound(self._syntax.shown, lines, *bounds)
         if shown is not None and edition == self._edition:
             self._run(f"show(...{json.dumps([edition, count, max(bounds[0], 1), shown])})")
+
+    async def _send_block(self, marks: list[dict[str, Any]]) -> None:
+        """Send marks of a long program with the lines around its block, unless they are there.
+
+        A block that runs fast has gone before the browser could ask for its lines.
+        """
+        edition = self._edition
+        block = next((one["line"] for one in marks if one["class"] == "nc-block"), 0)
+        first, shown = max(block - _AROUND, 1), None
+        if block and not (max(block - _NEAR, 1) in self._sent and block + _NEAR in self._sent):
+            self._sent = range(first, block + _AROUND + 1)
+            shown = await run.io_bound(self._syntax.shown, self._lines, first, block + _AROUND)
+        if edition == self._edition:
+            self._run(f"mark(...{json.dumps([marks, block, first, shown or []])})")
 
     # --- words ----------------------------------------------------------------------------------
 

@@ -73,7 +73,8 @@ class Variables:
                 if row.is_named and row.field != "switch" and len(self._sliders) < _MAX_SLIDERS:
                     self._sliders[row.name] = self._slider(row)
             if not rows:
-                ui.label(self._texts["no_variable"]).classes("nc-soft")
+                missing = self._texts["no_variable" if self._rows else "no_variables"]
+                ui.label(missing).classes("nc-soft")
             elif len(rows) > _MAX_SHOWN:
                 more = self._texts["more_variables"].format(count=len(rows) - _MAX_SHOWN)
                 ui.label(more).classes("nc-soft")

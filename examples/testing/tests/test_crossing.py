@@ -19,7 +19,7 @@ def test_m100_comes_as_soon_as_x_passes_200(run_nc: RunNc) -> None:
 
 
 @pytest.mark.parametrize("override", [25, 50, 100])
-def test_at_any_override_m100_comes_behind_200_mm(run_nc: RunNc, override: int) -> None:
+def test_at_any_override_m100_comes_after_200_mm(run_nc: RunNc, override: int) -> None:
     run = run_nc(CROSSING, set={"HLI.OVERRIDE": override})
     assert 200 < run.axis("X").position_at(run.m_function(100).at) <= 200.5
 

@@ -19,7 +19,7 @@
 Programs and what comes of them
     ``Controller``         one machine: runs programs, or goes tick by tick
     ``NcText``             a program given as text
-    ``Session``            a run that goes on, stops and goes back as one asks
+    ``Session``            a run that continues, stops and goes back on request
     ``Stimulus``           a variable that gets a value at a time of a run
     ``Study``              many runs of one program: varied, measured, checked
     ``Run``                the result of a run

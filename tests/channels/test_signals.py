@@ -153,7 +153,7 @@ def test_a_signal_that_nobody_sends_is_reported_before_the_first_tick() -> None:
 
 
 def test_who_can_be_freed_from_outside_waits_to_the_limit() -> None:
-    """With a PLC the run goes on, and a note shows the reason at its end."""
+    """With a PLC the run continues, and a note shows the reason at its end."""
 
     class Idle:
         def cycle(self, _hli: object) -> None:

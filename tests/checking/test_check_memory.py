@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A check that goes on from what it knows finds exactly what a fresh one finds."""
+"""A check that continues from known states finds exactly what a fresh one finds."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def test_random_edits_find_what_a_fresh_check_finds(
 
 
 def test_the_limit_of_a_followed_path_is_crossed_by_an_edit(machine: AssembledMachine) -> None:
-    """A program that gets too long, or short enough, to be followed is read anew."""
+    """A program that gets too long, or short enough, to be followed is reread."""
     lines = [f"G01 X{number % 7}" for number in range(MAX_LINES - 1)]
     lines.append("G00 X99999")
     memory = CheckMemory()

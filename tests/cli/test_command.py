@@ -96,7 +96,7 @@ def test_a_trace_is_written_and_read(suffix: str) -> None:
 
 
 def test_several_programs_run_on_one_controller(capsys: pytest.CaptureFixture[str]) -> None:
-    """The second program begins where the first one ended; --after goes on after the last."""
+    """The second program begins where the first one ended; --after continues after the last."""
     Path("back.nc").write_text("G00 X0\nM30\n", encoding="utf-8")
     words = ["run", "part.nc", "back.nc", "--trace", "out.csv", "--after", "10ms"]
     assert main(words) == 0

@@ -206,7 +206,7 @@ def test_a_study_keeps_its_rows(start: Start, tmp_path: Path, in_group: bool) ->
 
 @pytest.mark.parametrize("program", ["part.nc", "endless.nc"], ids=["waiting", "in a run"])
 def test_watching_ends(start: Start, program: str) -> None:
-    """With the exit code of the last time; a run that goes on is interrupted."""
+    """With the exit code of the last time; a run that continues is interrupted."""
     pytest.importorskip("watchfiles")
     watched = start("run", program, "--until", "9999min", "--watch")
     watched.until("901069" if program == "part.nc" else "begun")

@@ -72,7 +72,7 @@ def test_who_has_come_is_said(capsys: pytest.CaptureFixture[str]) -> None:
 def test_a_slow_answer_is_said_and_its_end(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """901442 while the CNC waits for longer than usual, 901443 when it goes on."""
+    """901442 while the CNC waits for longer than usual, 901443 when it continues."""
     monkeypatch.setattr(hli_partner, "_PATIENCE_S", 0.0)
     patience = hli_partner._Patience(options(), Controller())
     looks = iter(range(1000))

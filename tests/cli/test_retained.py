@@ -46,7 +46,7 @@ def _run(*words: str) -> int:
 
 
 def test_values_go_on_in_the_next_run(cell: Path) -> None:
-    """ST-406: ten cycles a run; all but RETAIN and PERSISTENT begins anew; a tape has them."""
+    """ST-406: ten cycles a run; all but RETAIN and PERSISTENT restarts; a tape has them."""
     assert _run("--retain", "kept.json") == 0
     first = {
         "gTotal": 5.0,

@@ -148,7 +148,7 @@ def test_how_far_a_centre_may_be_off(tmp_path: Path, entries: str, centre: str, 
 def test_a_management_command_between_blocks_does_not_stop_the_path() -> None:
     """MO-1, RC-004: 11.25 mm at 100 mm/s end with tick 124 exactly, with no time left over.
 
-    HOLD waits there for a tick, since the cycle has just been started: the path goes on.
+    HOLD waits there for a tick, since the cycle has just been started: the path continues.
     """
     run = moved(
         "G01 X11.25 F6000\n#RT CYCLE [ID=1]\nVs.E.COUNT += 1\n#RT CYCLE END\n"

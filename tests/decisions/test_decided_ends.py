@@ -38,7 +38,7 @@ def test_a_quiet_machine_ends_the_run_in_the_tick_after_the_error() -> None:
 
 
 def test_a_spindle_that_comes_to_its_position_is_waited_for() -> None:
-    """RC-006: as after a program, the run goes on until motions that have an end are at rest."""
+    """RC-006: as after a program, the run continues until motions that have an end are at rest."""
     turning = "#RT CYCLE [ID=2 SCOPE=PROG]\n$IF ONCE V.RTG.CYCLES.DIAG_LEVEL > 0\n"
     turning += "M3 M19 S60 S.POS=90\n$ENDIF\n#RT CYCLE END\n"
     run = perform(f"{turning}#TIME 0.003\n#RT CYCLE HOLD [ID=9]\nM30")

@@ -223,7 +223,7 @@ def test_what_programs_can_read() -> None:
     ],
 )
 def test_mistakes(program: str, expected: int) -> None:
-    """Each has its number; none moves an axis by chance."""
+    """Each has its number; none moves an axis accidentally."""
     run = perform(f"{HEAD}{program}\nM30", signals=POSITIONS)
     assert run.diagnostics
     assert expected in (*numbers(run), 0), run.diagnostics

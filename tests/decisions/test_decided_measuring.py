@@ -109,7 +109,7 @@ def test_axes_are_checked() -> None:
 def test_a_way_is_needed() -> None:
     """50067, unless P-CHAN-00313 is 0."""
     assert numbers(perform("G100 X0 F600\nM30")) == [50067]
-    assert numbers(perform("G100 X0 F600\nM30", machine(needs_way=False))) == []
+    assert numbers(perform("G100 X0 F600\nM30", machine(needs_travel=False))) == []
 
 
 def test_a_pressed_probe_is_an_error_or_the_end() -> None:
@@ -273,7 +273,7 @@ def test_types_of_g100_and_g310() -> None:
 
 def test_a_block_without_way_or_skipped_does_not_jump() -> None:
     """Whatever an earlier block has measured."""
-    controller = machine(needs_way=False)
+    controller = machine(needs_travel=False)
     text = '#MEAS MODE [5]\nG310 G01 X10 F600 $GOTO[A]\n[A] Z1\n{}\n#MSG ["past"]\n[B] M30'
     for block in ("G310 G01 G91 X0 $GOTO[B]", "/G310 G01 X20 $GOTO[B]"):
         run = perform(
@@ -318,9 +318,9 @@ def test_measuring_ends_at_a_software_limit() -> None:
     text = "G98 Y-20\nG99 X10\nG100 X40 Y-80 F6000\n"
     assert numbers(perform(f"{text}M30")) == [120002]
     names = ("V.A.MERF.X", "V.A.ABS.X", "V.A.ABS.Y")
-    found = values_of(text, *names, controller=machine(shortens_way=True))
+    found = values_of(text, *names, controller=machine(shortens_travel=True))
     assert [float(value) for value in found] == [0.0, 10.0, -20.0]
-    found = values_of("G99 X10\nG100 X-5 F6000\n", *names, controller=machine(shortens_way=True))
+    found = values_of("G99 X10\nG100 X-5 F6000\n", *names, controller=machine(shortens_travel=True))
     assert float(found[1]) == -5.0
 
 

@@ -114,7 +114,7 @@ def test_abort_action_brakes_and_the_cycle_runs_on() -> None:
 
 
 def test_abort_action_on_a_held_cycle_drops_the_held_motion() -> None:
-    """RC-111: CONTINUE has nothing to go on with."""
+    """RC-111: CONTINUE has nothing to continue."""
     held = ("G04 0.2", "#RT CYCLE HOLD [ID=1]", "G04 0.5", "#RT CYCLE ABORT ACTION [ID=1]")
     found = run(sent(*held, "#RT CYCLE CONTINUE [ID=1]", "G04 1"))
     assert last(found) == pytest.approx(100)

@@ -70,7 +70,7 @@ def test_a_turn_by_thirty_degrees() -> None:
 
 
 def test_offsets_of_a_system_end_with_it() -> None:
-    """G54 shifts it, begins anew in it, and is restored after it; G92 is along its axes."""
+    """G54 shifts it, restarts in it, and is restored after it; G92 is along its axes."""
     program = "G54\n#CS ON [0,0,0,0,0,90]\nG92 X5\nG00 X0 Y0 Z0"
     assert ends_at(program)[:3] == pytest.approx([100, 55, -10])
     assert ends_at(program + "\n#CS OFF\nG00 X0 Y0")[:3] == pytest.approx([100, 50, -10])

@@ -166,7 +166,7 @@ def test_spindles_are_waited_for(program: str, words: str, tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("program", "initial", "remedy"),
     [
-        ("G00 X1\nM00\nM30", {}, "--at TIME HLI.START=1 goes on"),
+        ("G00 X1\nM00\nM30", {}, "--at TIME HLI.START=1 continues"),
         (
             "G00 X1\nG00 X2\nM30",
             {"HLI.SINGLE_BLOCK": 1.0},

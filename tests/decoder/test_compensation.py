@@ -419,7 +419,7 @@ def test_the_time_of_g93_is_that_of_the_block_with_its_corner(
 
 @pytest.mark.parametrize("slope", ["", "#SLOPE [TYPE=STEP]\n", "#SLOPE [TYPE=TRAPEZ]\n"])
 def test_single_block_stops_after_the_way_around_the_corner(slope: str) -> None:
-    """MO-6: a block ends with its last piece; at 50 mm/s the path goes on into the arc.
+    """MO-6: a block ends with its last piece; at 50 mm/s the path continues into the arc.
 
     X from 10 to 50 beside Y 0, then the arc of 5 mm; N30 has one as well, since N40 leaves the
     contour around a corner. The only is are those of the blocks.

@@ -64,7 +64,7 @@ def test_a_loop_computes_what_single_blocks_compute(expression: str) -> None:
 
 @pytest.mark.slow
 def test_few_plans_are_as_good_as_many(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What was forgotten is planned anew."""
+    """What was forgotten is replanned."""
     expected = [messages(in_loop(one)) for one in EXPRESSIONS]
     monkeypatch.setattr(plans, "MAX_PLANS", 3)
     assert [messages(in_loop(one)) for one in EXPRESSIONS] == expected

@@ -189,7 +189,7 @@ def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_a_jump_back_finds_the_forms_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    """After each ``$GOTO`` the text is read anew; templates and forms stay."""
+    """After each ``$GOTO`` the text is reread; templates and forms stay."""
     lines = [HEAD, *(f"X[P1 + {i}]" for i in range(1, 30)), "N50: P1 = P1 + 1"]
     lines += [*(f"Y[P1 * {i}]" for i in range(1, 30)), "$IF P1 < 5 $GOTO N50", "M30"]
     text = "\n".join(lines)

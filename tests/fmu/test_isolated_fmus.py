@@ -42,7 +42,7 @@ def run_with(fmu: Fmu) -> Any:
 
 
 def test_a_run_is_the_same(plant: Path) -> None:
-    """All values of all ticks, of numbers, whole numbers and truths; each run begins anew."""
+    """All values of all ticks, of numbers, whole numbers and truths; each run restarts."""
     isolated = Fmu(plant, isolate=True, start={"gain": 1000.0}, **TIES)
     beside = run_with(Fmu(plant, start={"gain": 1000.0}, **TIES))
     for _ in range(2):
@@ -70,7 +70,7 @@ def test_its_end_is_reported(plant: Path, fault: int, text: str) -> None:
 def test_a_late_step_is_reported_without_a_process(
     plant: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """902733 on the error output, while the model has not returned; the run goes on."""
+    """902733 on the error output, while the model has not returned; the run continues."""
     run = run_with(Fmu(plant, limit="1 s", start={"fault": 5}, **TIES))
     assert run.state == "ended"
     said = capsys.readouterr().err

@@ -49,7 +49,7 @@ def test_a_reset_brakes_and_gives_the_program_up() -> None:
 
 
 def test_in_a_reset_no_cycle_runs_and_global_ones_keep_their_states() -> None:
-    """PROG cycles are gone, GLOBAL ones go on with the same $IF states after the reset."""
+    """PROG cycles are gone, GLOBAL ones continue with the same $IF states after the reset."""
     controller = started(CYCLES + "G00 X300\nM30", 100)
     controller.reset()
     names = ("V.E.COUNT", "V.E.COUNT_NEG", "V.E.COUNT_POS")

@@ -153,7 +153,7 @@ changes = st.lists(
 def test_a_new_limit_at_any_time_changes_nothing_but_what_follows(
     length: float, steps: list[tuple[float, float]], slope: float, end: float
 ) -> None:
-    """Planned anew with any limit, position and speed go on without a step to the end (MO-5)."""
+    """Replanned with any limit, position and speed go on without a step to the end (MO-5)."""
     covered, speed = 0.0, 0.0
     highest = max(limit for _, limit in steps) + 1.0
     profile = TrapezoidProfile()

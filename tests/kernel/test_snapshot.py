@@ -95,7 +95,7 @@ def test_a_part_put_back_runs_as_a_new_one() -> None:
 
 
 def test_kept_cycles_run_as_new_ones() -> None:
-    """Trees of cycles that an earlier run has built and run are as if built anew."""
+    """Trees of cycles that an earlier run has built and run are as if rebuilt."""
     part = part_of(DEMO)
     start_up = Snapshot(part)
     found = []

@@ -128,7 +128,7 @@ def test_each_parameter_that_takes_effect_is_read(
     for name, text in RARE.items():
         (tmp_path / name).write_text(text, encoding="utf-8")
     for folder in (None, CENTRE, tmp_path):
-        load_machine(folder, detail="all")  # read anew, also the built-in one
+        load_machine(folder, detail="all")  # reread, also the built-in one
     declared = {(schema.kind, parameter.pattern) for schema in SCHEMAS for parameter in schema.used}
     assert sorted(declared - read) == []
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Walks by chance on the page over programs of chance: it shows what the engine had at its tick.
+"""Random walks on the page over random programs: it shows what the engine had at its tick.
 
 Beside the page a session does the same; all that the page shows is compared with it after each
 step, and in the end the values and events seen with straight runs of the tapes of all branches.
@@ -88,7 +88,7 @@ def rows_of(path: Path, inputs: Sequence[Input], ends: Sequence[int]) -> dict[in
 
 
 def walk(browser: Any, path: Path, seed: int) -> None:
-    """Walk over a program of chance, and compare after each step."""
+    """Walk over a random program, and compare after each step."""
     choice = random.Random(seed)
     text = program_generator.program(seed)
     path.write_text(text, "utf-8")
@@ -113,6 +113,6 @@ def walk(browser: Any, path: Path, seed: int) -> None:
 @pytest.mark.nightly
 @seeds_in_parts(2, 1, 1)
 def test_any_walk(browser: Any, tmp_path: Path, seeds: range) -> None:
-    """Steps, travel, plays, inputs in the past, branches taken up again, loaded anew, zoomed."""
+    """Steps, travel, plays, inputs in the past, branches taken up again, reloaded, zoomed."""
     for seed in seeds:
         walk(browser, tmp_path / f"{seed}.nc", seed)

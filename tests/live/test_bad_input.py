@@ -111,7 +111,7 @@ def test_a_flood_without_end(browser: Any, tmp_path: Path) -> None:
 
 @pytest.mark.nightly
 def test_a_long_file_that_is_replaced_or_deleted(browser: Any, tmp_path: Path) -> None:
-    """It stays as it was opened until it is loaded anew, as another long one or a short one."""
+    """It stays as it was opened until it is reloaded, as another long one or a short one."""
     long = [f"G01 X{number % 2} F6000" for number in range(MAX_EDITED_LINES + 5)]
     other = [line.replace("X", "Y") for line in [*long, "M30"]]
     path = written(tmp_path, "\n".join(long) + "\n")
@@ -181,7 +181,7 @@ def test_a_browser_that_sleeps(browser: Any, tmp_path: Path) -> None:
 
 
 def test_what_is_not_saved_outlives_the_page(browser: Any, tmp_path: Path) -> None:
-    """It is there when the page is loaded anew; what is saved is not, nor what is no text."""
+    """It is there when the page is reloaded; what is saved is not, nor what is no text."""
     path = written(tmp_path, SHORT)
     with served(str(path)) as address:
         page = opened(browser, address)

@@ -85,7 +85,7 @@ def test_travel_and_a_write_in_one_frame(session: Session) -> None:
 
 
 def act(session: Session, chance: random.Random) -> None:
-    """Do something that a person may do."""
+    """Do something that a user can do."""
     match chance.randrange(5):
         case 0 | 1:
             session.step(chance.randrange(1, 120))
@@ -239,6 +239,6 @@ def test_a_branch_taken_up_again_has_all_of_its_past() -> None:
 
 
 def until(is_so: Callable[[], bool]) -> None:
-    """Wait until something is so; pytest's own limit ends a test where it never comes."""
+    """Wait until a condition holds; pytest's own limit ends a test where it never comes."""
     while not is_so():
         time.sleep(0.02)

@@ -422,7 +422,7 @@ def test_keys_do_all(browser: Any, tmp_path: Path) -> None:
 
 @pytest.mark.nightly
 def test_a_program_that_changes_on_disk(browser: Any, tmp_path: Path) -> None:
-    """It is reported, the run goes on with the old text, and the new one can be loaded."""
+    """It is reported, the run continues with the old text, and the new one can be loaded."""
     path = written(tmp_path)
     with served(str(path)) as address:
         page = opened(browser, address)
@@ -438,7 +438,7 @@ def test_a_program_that_changes_on_disk(browser: Any, tmp_path: Path) -> None:
 
 @pytest.mark.nightly
 def test_a_plc_that_is_saved(browser: Any, tmp_path: Path) -> None:
-    """It is reported; the run begins anew with the new text, and what is typed here stays.
+    """It is reported; the run restarts with the new text, and what is typed here stays.
 
     Of a text with a mistake the mistake is reported, and the run stays as it was. What the PLC
     keeps goes on from run to run (ST-406): its cycle is due in the first tick of each.
@@ -508,7 +508,7 @@ def test_all_conditions_have_lanes(browser: Any, tmp_path: Path) -> None:
 
 
 def test_conditions_are_filtered(browser: Any, tmp_path: Path) -> None:
-    """By keyboard; the filter is still there when the page is loaded anew, not in another tab."""
+    """By keyboard; the filter is still there when the page is reloaded, not in another tab."""
     branches = "".join(f"  $IF V.E.VALUE > {one}\n    M100\n  $ENDIF\n" for one in range(8))
     text = f"#RT CYCLE [ID=1 SCOPE=PROG]\n{branches}#RT CYCLE END\nG01 X20 F6000\nM30\n"
     with served(str(written(tmp_path, text))) as address:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Connections of browsers: a limit, and a time for requests and answers; the others go on."""
+"""Connections of browsers: a limit, and a time for requests and answers; the others continue."""
 
 import asyncio
 import contextlib
@@ -81,7 +81,7 @@ class Served:
 
 
 def run(part: Callable[[Served], Awaitable[None]]) -> None:
-    """Let a test run with connections that are served."""
+    """Run a test with connections that are served."""
 
     async def act() -> None:
         async with Served() as served:
@@ -106,7 +106,7 @@ async def until_closed(reader: asyncio.StreamReader) -> None:
     ],
 )
 def test_a_request_that_does_not_end(words: tuple[bytes, ...], monkeypatch: Any) -> None:
-    """Its connection is closed after 5 s (here less), and counted; others go on."""
+    """Its connection is closed after 5 s (here less), and counted; others continue."""
     monkeypatch.setattr(connections, "REQUEST_S", 0.3)
 
     async def part(served: Served) -> None:

@@ -12,7 +12,7 @@ from support.page_driving import BROWSER, chromium, opened, served
 from nctakt.base.diagnostics import Language
 from nctakt.cli import main
 from nctakt.cli.demo import AREA, CELL, MACHINE, STIMULI
-from nctakt.live.parts.tour import brought
+from nctakt.live.parts.tour import reach_step
 from nctakt.live.texts import Texts
 from nctakt.session.session import Session
 
@@ -94,4 +94,4 @@ def test_a_changed_program_is_not_the_tours() -> None:
         plc=CELL / "cell.st",
         set={AREA: 1},
     ) as session:
-        assert brought(session, str(program), 5, "why") is None
+        assert reach_step(session, str(program), 5, "why") is None

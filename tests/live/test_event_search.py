@@ -35,12 +35,12 @@ M30
 
 
 def matching(events: list[Event], text: str) -> list[Event]:
-    """The events in whose line a text is."""
+    """The events whose line contains a text."""
     return [one for one in events if text.casefold() in event_text(one, "en").casefold()]
 
 
 def until(is_so: Callable[[], bool]) -> None:
-    """Wait until something is so."""
+    """Wait until a condition holds."""
     end_s = time.monotonic() + 60
     while not is_so():
         assert time.monotonic() < end_s
@@ -198,7 +198,7 @@ def listed(page: Any) -> list[str]:
 
 @_with_a_browser
 def test_search_by_keyboard(browser: Any, tmp_path: Path, events: list[Event]) -> None:
-    """Shift+F, a text, Enter: the session goes back from match to match; N and Shift+N go on.
+    """Shift+F, a text, Enter: the session goes back from match to match; N and Shift+N continue.
 
     What is found is announced; axe-core finds nothing serious.
     """

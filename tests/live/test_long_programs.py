@@ -95,7 +95,7 @@ def compare(page: Any, lines: list[str]) -> list[list[Any]]:
 
 
 def test_a_line_is_found_by_number_or_text() -> None:
-    """The next one after a line, then from the start; without regard to the case."""
+    """The next one after a line, then from the start; regardless of case."""
     lines = ["G01 X1", "g01 x2", "M30", ""]
     assert [line_found(lines, "G01 X", after) for after in (0, 1, 2)] == [1, 2, 1]
     assert [line_found(lines, wish, 0) for wish in ("3", "5", "0", "x9", "m30")] == [3, 0, 0, 0, 3]

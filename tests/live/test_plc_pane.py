@@ -156,7 +156,7 @@ def test_structures_unfold_and_names_are_explained_by_keys(browser: Any, part: P
 
 
 def test_a_text_is_changed_and_saved_by_keys(browser: Any, part: Path) -> None:
-    """Nothing else of the file changes; the run begins anew; another writer is not overwritten."""
+    """Nothing else of the file changes; the run restarts; another writer is not overwritten."""
     main = part.parent / "MAIN.TcPOU"
     main.write_bytes(MAIN.replace("\n", "\r\n").encode())
     with served(str(part), "--plc", str(part.parent / "Cell.plcproj")) as address:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A file of the PLC on the page: its rows, what they name, where the session is at rest."""
+"""A file of the PLC on the page: its rows, what they name, the place of the session."""
 
 from support.plc_text import pou_file
 

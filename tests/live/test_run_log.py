@@ -57,7 +57,7 @@ def look(log: RunLog, session: Session, listener: Listener) -> None:
 
 
 def act(session: Session, chance: random.Random) -> None:
-    """Do something that a person may do."""
+    """Do something that a user can do."""
     match chance.randrange(6):
         case 0:
             session.step(chance.randrange(1, 200))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whatever comes over a WebSocket of the page: the run goes on, and others are served.
+"""Whatever comes over a WebSocket of the page: the run continues, and others are served.
 
 Messages of chance (malformed, of wrong types, enormous, deep, of another session, in any order),
 floods, and connections that never become a browser's.

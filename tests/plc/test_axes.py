@@ -213,7 +213,7 @@ def test_a_target_beyond_the_software_limits_is_refused(
 
 
 def test_an_axis_that_the_path_moves_is_refused() -> None:
-    """50603 while the block moves it; the path goes on as if nothing had been asked (MO-13)."""
+    """50603 while the block moves it; the path continues as if nothing had been asked (MO-13)."""
     move = MC_MoveAbsolute("X")
     plc = Cell(lambda hli: move(hli, execute=hli.tick >= 20, position=3, velocity=500), move)
     made = run("G00 X10\nM30", plc)

@@ -130,7 +130,7 @@ def test_a_block_wants_an_axis_that_the_plc_has_or_had(moves: int, number: int, 
 
 
 def test_the_plc_wants_an_axis_that_the_path_has() -> None:
-    """One tick after the begin of the block: 50603 for the PLC, the path goes on."""
+    """One tick after the begin of the block: 50603 for the PLC, the path continues."""
     plc = Owner(201)
     made = run("G04 X0.2\nG00 Z-5\nM30", plc)
     assert errors(made) == []

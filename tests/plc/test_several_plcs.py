@@ -209,7 +209,7 @@ def test_an_fmu_has_all_of_them() -> None:
 
 
 def test_a_study_measures_all_of_them() -> None:
-    """Each run begins anew with all of them; a recorded run is replayed without the one in Python.
+    """Each run restarts with all of them; a recorded run is replayed without the one in Python.
 
     The program waits 10 ms for M7, which is acknowledged after tick 0, and G04.
     """

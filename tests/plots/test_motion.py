@@ -62,7 +62,7 @@ def test_speed_acceleration_and_jerk_are_those_of_the_positions() -> None:
 
 
 def test_a_modulo_axis_runs_on() -> None:
-    """No jump where the position that is shown begins anew."""
+    """No jump where the position that is shown restarts."""
     axis = motions("G00 A700\nM30\n")[3]
     assert axis.unit == "°"
     assert axis.position.values[-1] - axis.position.values[0] == pytest.approx(700.0, abs=0.1)

@@ -93,7 +93,7 @@ def damaged(frames: list[bytes], rng: random.Random) -> bytes:
 
 
 def test_damaged_frames_crash_nothing_and_hit_no_other_client() -> None:
-    """Whatever a client sends, it is answered, refused or disconnected; the others go on."""
+    """Whatever a client sends, it is answered, refused or disconnected; the others continue."""
     seeds = all_seeds(4_000, 4_000)
 
     async def live() -> None:

@@ -46,7 +46,7 @@ def session() -> Iterator[Session]:
 
 
 def filtered(events: list[Event], text: str, language: Language = "en") -> list[Event]:
-    """The events in whose line a text is, by a loop over all of them."""
+    """The events whose line contains a text, by a loop over all of them."""
     sought = " ".join(text.casefold().split())
     lines = (" ".join(event_text(one, language).casefold().split()) for one in events)
     return [one for one, line in zip(events, lines, strict=True) if sought in line]

@@ -117,7 +117,7 @@ def started(*words: str) -> Iterator[subprocess.Popen[str]]:
 
 
 def wait_for(what: Callable[[], object], seconds: float = 60.0) -> None:
-    """Wait until something is so."""
+    """Wait until a condition holds."""
     end = time.monotonic() + seconds
     while not what():
         assert time.monotonic() < end, "it never came"

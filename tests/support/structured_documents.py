@@ -49,7 +49,7 @@ class Typed:
         return [item.headline() for item in found]
 
     def checked(self) -> dict[str, list[str]]:
-        """The findings of a check of all files that begins anew, by file."""
+        """The findings of a check of all files that restarts, by file."""
         collector = Collector()
         texts = {
             self.folder / name: "\n".join(one.program_lines())

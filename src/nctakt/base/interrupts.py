@@ -66,7 +66,7 @@ def handling(handler: Handler, *, only_termination: bool = False) -> Iterator[No
 
 
 @contextmanager
-def kept_back() -> Iterator[None]:
+def blocked_for_children() -> Iterator[None]:
     """Keep both from a process that starts meanwhile, until it calls ``ignore``.
 
     They may go to a whole group while it still imports modules: its parent answers them.

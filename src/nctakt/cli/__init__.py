@@ -238,7 +238,7 @@ def _refused(error: OSError, language: Language) -> int:
 
 
 def _is_nowhere() -> bool:
-    """Return whether somebody has removed the working directory."""
+    """Return whether the working directory was removed."""
     try:
         Path.cwd()
     except FileNotFoundError:

@@ -226,7 +226,7 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
         if programs
     }
 
-    curves = [] if own.log is None else _laid_over(options, access, own.log)
+    curves = [] if own.log is None else _compared_curves(options, access, own.log)
     refused: Counter[Text] = Counter()
     kept = None
     if options.retain is not None:
@@ -261,7 +261,7 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
     return EXIT_RAN
 
 
-def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[LoggedCurve]:
+def _compared_curves(options: Options, access: FileAccess, words: LogWords) -> list[LoggedCurve]:
     """Return the curves of a log, compared with those of a starting run; raises ``Failure``.
 
     The run ends with the log at the latest.

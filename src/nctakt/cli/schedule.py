@@ -169,7 +169,7 @@ def _write_fixed(read: ListRead, words: dict[str, Any]) -> tuple[ListRead, Diagn
     from nctakt.files.output import OutputFile  # noqa: PLC0415
     from nctakt.schedule.rewrite import rewrite  # noqa: PLC0415
 
-    anew = rewrite(
+    rewritten = rewrite(
         words["file"],
         read.data,
         read.values,
@@ -178,18 +178,18 @@ def _write_fixed(read: ListRead, words: dict[str, Any]) -> tuple[ListRead, Diagn
         read.options.convention,
     )
     target = words["output"] or words["file"]
-    if anew.is_changed or words["output"] is not None:
+    if rewritten.is_changed or words["output"] is not None:
         option = "--output" if words["output"] is not None else "--fix"
         with OutputFile(target, option, read.access) as file:
-            file.write(anew.data)
+            file.write(rewritten.data)
     note = diagnostic(
         LIST_REWRITTEN,
         file=target,
-        corrected=anew.corrected,
-        commented=anew.commented,
-        added=anew.added,
+        corrected=rewritten.corrected,
+        commented=rewritten.commented,
+        added=rewritten.added,
     )
-    return read_list_text(target, anew.data, read.access, read.options), note
+    return read_list_text(target, rewritten.data, read.access, read.options), note
 
 
 def _simulate(words: dict[str, Any]) -> int:

@@ -440,7 +440,7 @@ def _who_commands(own: _Words) -> Iterator[Diagnostic]:
     if own.ads is not None:
         networks = ", ".join(own.ads_networks)
         remote = Text(
-            f"whoever connects from {networks}, without a password",
+            f"anyone who connects from {networks}, without a password",
             f"wer sich von {networks} verbindet, ohne Passwort",
         )
         yield diagnostic(WHO_COMMANDS, endpoint="ADS", who=remote if networks else local)
@@ -449,7 +449,7 @@ def _who_commands(own: _Words) -> Iterator[Diagnostic]:
         yield diagnostic(WHO_COMMANDS, endpoint="OPC UA", who=local if is_local("opcua") else users)
     if own.mqtt is not None:
         writers = Text(
-            "whoever may write to the topics of the broker",
+            "anyone who may write to the topics of the broker",
             "wer auf die Topics des Brokers schreiben darf",
         )
         yield diagnostic(WHO_COMMANDS, endpoint="MQTT", who=writers)

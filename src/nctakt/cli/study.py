@@ -324,7 +324,7 @@ def _report_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:
 
 
 def _report_no_effect_shown(study: Study, result: StudyResult, words: dict[str, Any]) -> None:
-    """Warn of dimensions of points by chance that changed nothing where it was tried (902061)."""
+    """Warn of dimensions of random points that changed nothing where that was tried (902061)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
     from nctakt.messages.commands.studies import NO_EFFECT_SHOWN  # noqa: PLC0415
 
@@ -370,7 +370,7 @@ def _make_folder(path: Path) -> None:
 def _check_words(file: str, words: dict[str, Any]) -> None:
     """Raise ``click.UsageError`` for options that would have no effect."""
     if words["resume"] and words["out"] is None:
-        raise click.UsageError("--resume needs --out, with the results to go on with")
+        raise click.UsageError("--resume needs --out, with the results to continue from")
     if words["upload"] and words["scheduler"] is None:
         raise click.UsageError("--upload needs --scheduler: this machine has the files")
     if words["corpus"] is not None and not words["cover"]:

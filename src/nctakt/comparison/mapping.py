@@ -86,7 +86,7 @@ class Tolerance:
 
 
 @dataclass(frozen=True, slots=True)
-class Wish:
+class ColumnMapping:
     """A mapping file's settings for a signal."""
 
     column: str
@@ -101,7 +101,7 @@ class MappingFile:
     """A mapping file: how the log is written, and columns by signals."""
 
     log: dict[str, str] = field(default_factory=dict)
-    wishes: dict[str, Wish] = field(default_factory=dict)
+    mappings: dict[str, ColumnMapping] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,15 +143,15 @@ def read_mapping(path: str | Path, access: FileAccess) -> MappingFile:
             if not isinstance(value, _PAIR_KEYS.get(key, ())) or isinstance(value, bool):
                 raise refuse(f"signals.{signal}.{key}")
         try:
-            found.wishes[signal] = _wish(words)
+            found.mappings[signal] = _column_mapping(words)
         except ValueError:
             raise refuse(f"signals.{signal}.tolerance") from None
     return found
 
 
-def _wish(words: Mapping[str, Any]) -> Wish:
+def _column_mapping(words: Mapping[str, Any]) -> ColumnMapping:
     tolerance = words.get("tolerance")
-    return Wish(
+    return ColumnMapping(
         words["log"],
         words.get("unit", ""),
         float(words.get("factor", 1.0)),
@@ -161,7 +161,7 @@ def _wish(words: Mapping[str, Any]) -> Wish:
 
 
 def pairs_of(
-    log: Log, signals: Sequence[Signal], axes: Sequence[str], wishes: Mapping[str, Wish]
+    log: Log, signals: Sequence[Signal], axes: Sequence[str], mappings: Mapping[str, ColumnMapping]
 ) -> list[Pair]:
     """Return the pairs of signals and columns; ambiguous ones are noted in the log.
 
@@ -171,21 +171,23 @@ def pairs_of(
     known = {signal.name: signal for signal in signals}
     mistakes: list[Diagnostic] = []
     pairs: list[Pair] = []
-    if wishes:
+    if mappings:
         columns = {column.name: column for column in log.columns}
-        for name, wish in wishes.items():
-            column = columns.get(wish.column)
+        for name, choice in mappings.items():
+            column = columns.get(choice.column)
             if column is None:
-                near = nearest(wish.column, columns)
+                near = nearest(choice.column, columns)
                 hint = f": {near}?" if near else ""
                 mistakes.append(
-                    diagnostic(COLUMN_UNKNOWN, file=log.file, name=wish.column, hint=hint)
+                    diagnostic(COLUMN_UNKNOWN, file=log.file, name=choice.column, hint=hint)
                 )
             else:
-                pairs += _fitting(known[name], column, wish, mistakes)
+                pairs += _fitting(known[name], column, choice, mistakes)
     else:
         for name, column, is_suggested in _by_name(log, known, axes):
-            pairs += _fitting(known[name], column, Wish(column.name), mistakes, is_suggested)
+            pairs += _fitting(
+                known[name], column, ColumnMapping(column.name), mistakes, is_suggested
+            )
     if mistakes:
         raise Failure(*mistakes)
     if not pairs:
@@ -198,13 +200,13 @@ def pairs_of(
 def _fitting(
     signal: Signal,
     column: LogColumn,
-    wish: Wish,
+    choice: ColumnMapping,
     mistakes: list[Diagnostic],
     is_suggested: bool = False,
 ) -> list[Pair]:
-    unit = wish.unit or column.unit
+    unit = choice.unit or column.unit
     factor = factor_between(unit, signal.unit)
-    if factor is None and wish.factor == 1.0:
+    if factor is None and choice.factor == 1.0:
         mistakes.append(
             diagnostic(
                 UNITS_DO_NOT_FIT,
@@ -215,8 +217,8 @@ def _fitting(
             )
         )
         return []
-    factor = wish.factor * (1.0 if factor is None else factor)
-    return [Pair(signal, column, factor, wish.offset, wish.tolerance, is_suggested)]
+    factor = choice.factor * (1.0 if factor is None else factor)
+    return [Pair(signal, column, factor, choice.offset, choice.tolerance, is_suggested)]
 
 
 def _by_name(

@@ -12,7 +12,7 @@ from typing import Any
 from nctakt.base.diagnostics import Language, Text
 from nctakt.comparison.comparison import Comparison
 from nctakt.comparison.deviations import Deviation, Overlaid
-from nctakt.plots.picture import new_sheet, picture_of, plain_look
+from nctakt.plots.picture import new_sheet, picture_of, style_axes
 from nctakt.plots.style import FEED, INK, RAPID
 
 #: Signals that a picture shows, those that are farthest beyond their tolerance first.
@@ -60,5 +60,5 @@ def _draw(upper: Any, lower: Any, one: Deviation, both: Overlaid, language: Lang
     if one.first_us is not None:
         for axes in (upper, lower):
             axes.axvline(one.first_us / 1e6, color=RAPID, linewidth=0.8, linestyle=":")
-    plain_look(upper)
-    plain_look(lower)
+    style_axes(upper)
+    style_axes(lower)

@@ -361,7 +361,7 @@ class Adapter:
         return {}
 
     def _join(self, session: Session) -> None:
-        """Go over to another session of the same page: its program was begun anew."""
+        """Go over to another session of the same page: its program was restarted."""
         self._leave()
         self._take(self._debug(session, stops_at_end=True, owns=False))
         if self._debuggee is not None:
@@ -438,7 +438,7 @@ class Adapter:
         return {"targets": [] if found is None else [found]}
 
     def _goto(self, arguments: Arguments) -> dict[str, Any]:
-        """Begin the first program anew at a block, by block search, and stop there."""
+        """Restart the first program at a block, by block search, and stop there."""
         debuggee, configuration = self._debuggee, self._configuration
         if debuggee is None or configuration is None:
             raise Failure(diagnostic(GOTO_NEEDS_LAUNCH))

@@ -28,7 +28,7 @@ _HELP: dict[Language, str] = {
 tick                     the tick of the session
 tick 1200, tick 1.2 s    go there
 back 10 ms, back 3       go back by a time, or by ticks; back: by one
-forward 10 ms            go on by a time or by ticks, past all breakpoints
+forward 10 ms            continue by a time or by ticks, past all breakpoints
 last V.E.X               go back to the last change of a variable or expression
 reaction                 go back to the last reaction of a realtime cycle
 why 17:4                 why the branch in line 4 of cycle 17 has run, or has not; why 17, why

@@ -428,7 +428,7 @@ class Debuggee:
         if session.is_playing and not before[2]:
             self.scopes.forget()
             self._send_event("continued", {"threadId": 1, "allThreadsContinued": True})
-        self.report.heard()
+        self.report.report_latest()
         if before != self._seen and not session.is_playing:
             self._branch = session.branch
             self._stopped("pause", 1, self.console.position())

@@ -61,7 +61,7 @@ class Relay:
         self._writer = writer
         self._end = end
         self._thread = threading.Thread(
-            target=self._bring_back, name="nctakt dap relay", daemon=True
+            target=self._forward_answers, name="nctakt dap relay", daemon=True
         )
         self._thread.start()
 
@@ -73,7 +73,7 @@ class Relay:
             message = {**message, "arguments": {**known, "token": self._token}}
         self._other.write(message)
 
-    def _bring_back(self) -> None:
+    def _forward_answers(self) -> None:
         """Forward the other debugger's messages to the editor, until it goes."""
         with contextlib.suppress(OSError, ValueError, Failure):
             while (message := self._reader.read()) is not None:

@@ -89,9 +89,9 @@ class Report:
             self._messages(done.messages)
             self.diagnostics(done.diagnostics)
         else:
-            self.heard()
+            self.report_latest()
 
-    def heard(self) -> None:
+    def report_latest(self) -> None:
         """Report the output of somebody else's session since, no matter who has run it.
 
         Reports are not repeated when somebody goes back.

@@ -138,7 +138,7 @@ class Requests:
         return shown(breakpoint_, source, self._debuggee.language)
 
     def verify_all(self) -> list[Body]:
-        """Find all breakpoints again in a program that begins anew; return them as shown."""
+        """Find all breakpoints again in a program that is restarted; return them as shown."""
         debuggee = self._debuggee
         debuggee.breakpoints.renew(self._again)
         debuggee.breakpoints.verify(debuggee.breakpoints.all, debuggee.check_stops)

@@ -134,10 +134,10 @@ def cubics_of(
     ``arc``: as ``Segment.arc``; the axes outside its plane move evenly with the angle.
     """
     first, second = int(arc[0]), int(arc[1])
-    ways = [end - begin for begin, end in zip(start, target, strict=True)]
-    ways[first] = ways[second] = 0.0
+    travels = [end - begin for begin, end in zip(start, target, strict=True)]
+    travels[first] = travels[second] = 0.0
     radius = math.hypot(start[first] - arc[2], start[second] - arc[3])
-    count = _count(arc[4] * RADIANS, radius, max(map(abs, ways)))
+    count = _count(arc[4] * RADIANS, radius, max(map(abs, travels)))
     step = arc[4] * RADIANS / count
     handle = 4.0 / 3.0 * math.tan(step / 4.0)
     begin = math.atan2(start[second] - arc[3], start[first] - arc[2])
@@ -148,14 +148,14 @@ def cubics_of(
         position = list(start) if number == 0 else list(target)
         if 0 < number < count:
             position = [
-                a + distance * number / count for a, distance in zip(start, ways, strict=True)
+                a + distance * number / count for a, distance in zip(start, travels, strict=True)
             ]
             position[first] = arc[2] + radius * math.cos(angle)
             position[second] = arc[3] + radius * math.sin(angle)
         if ahead:
             position[first] -= ahead * handle * radius * math.sin(angle)
             position[second] += ahead * handle * radius * math.cos(angle)
-            for axis, distance in enumerate(ways):
+            for axis, distance in enumerate(travels):
                 position[axis] += ahead * handle / step * distance / count
         return tuple(turned_out(turn, position))
 

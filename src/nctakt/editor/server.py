@@ -150,13 +150,13 @@ class Server(LanguageServer):
                 self.diagnosis.changed(other)
 
     def recheck(self, changed: Document | None = None) -> None:
-        """Check the other programs anew: a list or a file has changed."""
+        """Check the other programs again: a list or a file has changed."""
         for other in self.work.documents.values():
             if other is not changed and other.is_program:
                 self.diagnosis.changed(other)
 
     def recheck_structured(self) -> None:
-        """Find the projects of PLCs anew, and check their open documents."""
+        """Find the projects of PLCs again, and check their open documents."""
         self.work.plc.forget()
         for other in self.work.documents.values():
             if other.is_structured:

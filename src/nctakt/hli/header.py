@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.hli.layout import MAGIC, STRUCTURES, UNIT, VERSION, Entry, Structure
-from nctakt.hli.places import entries, fill_up_of, size_of, unit_offset
+from nctakt.hli.places import entries, padding_of, size_of, unit_offset
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
 _TYPES = {
@@ -41,7 +41,7 @@ def _lines() -> Iterator[str]:
         yield from ("", f"/* {structure.meaning} */", f"typedef struct {structure.name} {{")
         for entry in structure.entries:
             yield f"    {_member(entry)}; {_comment(entry)}"
-        if fill_up := fill_up_of(structure):
+        if fill_up := padding_of(structure):
             yield f"    uint8_t fill_up[{fill_up}];"
         for name in structure.units:
             yield f"    {UNIT.name} {name}[HLI_UNITS];"

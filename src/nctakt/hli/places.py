@@ -87,7 +87,7 @@ def _entries_end(structure: Structure) -> int:
     return _aligned(last.offset + last.size_bytes, 8)
 
 
-def fill_up_of(structure: Structure) -> int:
+def padding_of(structure: Structure) -> int:
     """Return the bytes after the last value of a structure, up to a multiple of 8."""
     *_, last = entries(structure)
     return -(last.offset + last.size_bytes) % 8

@@ -62,18 +62,18 @@ class Ahead:
 
     def __init__(self) -> None:
         self._known: tuple[FutureOf, dict[str, Any]] | None = None
-        self._wish: tuple[FutureOf, Session] | None = None
+        self._request: tuple[FutureOf, Session] | None = None
         self._done: tuple[FutureOf, Session] | None = None
         self._changed = threading.Condition()
         self._is_closed = False
         self._thread = threading.Thread(target=self._work, name="nctakt ahead", daemon=True)
         self._thread.start()
 
-    def wish(self, subject: FutureOf, session: Session) -> None:
+    def request(self, subject: FutureOf, session: Session) -> None:
         """Computes the future of a session."""
         with self._changed:
-            if self._wish is None or self._wish[0] != subject:
-                self._wish = subject, session
+            if self._request is None or self._request[0] != subject:
+                self._request = subject, session
                 self._changed.notify_all()
 
     def shown(self, subject: FutureOf) -> dict[str, Any] | None:
@@ -84,28 +84,28 @@ class Ahead:
     def _work(self) -> None:
         while True:
             with self._changed:
-                self._changed.wait_for(lambda: self._is_closed or self._wish != self._done)
-                wish, done = self._wish, self._done
-                if wish is None or self._is_closed:
+                self._changed.wait_for(lambda: self._is_closed or self._request != self._done)
+                request, done = self._request, self._done
+                if request is None or self._is_closed:
                     return
-                is_new = done is None or wish[0].serial != done[0].serial
-                is_replaced = partial(self._is_replaced, wish)
+                is_new = done is None or request[0].serial != done[0].serial
+                is_replaced = partial(self._is_replaced, request)
                 if not is_new and self._changed.wait_for(is_replaced, _REST_S):
                     continue
-                self._done = wish
+                self._done = request
             try:
-                self._look(*wish)
+                self._look(*request)
             except (Failure, RuntimeError):
                 continue  # the session is closed, or its past has changed: nothing is shown
 
-    def _is_replaced(self, wish: tuple[FutureOf, Session]) -> bool:
-        return self._wish is not wish or self._is_closed
+    def _is_replaced(self, request: tuple[FutureOf, Session]) -> bool:
+        return self._request is not request or self._is_closed
 
     def _look(self, subject: FutureOf, session: Session) -> None:
         futures = session.future(*subject.signals)
         future, due_s = None, 0.0
         for future in futures:
-            if self._is_closed or self._wish is None or self._wish[0] != subject:
+            if self._is_closed or self._request is None or self._request[0] != subject:
                 close = getattr(futures, "close", None)  # the copy ends with it
                 if close is not None:
                     close()

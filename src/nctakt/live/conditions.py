@@ -57,13 +57,13 @@ def is_condition(line: str) -> bool:
     return _CONDITION.match(line) is not None
 
 
-def fitting(conditions: Sequence[Condition], wish: str) -> list[int]:
+def fitting(conditions: Sequence[Condition], request: str) -> list[int]:
     """Return the indices of the conditions that fit all words of a filter; without words all.
 
     ``12`` is a line, ``12-20`` a range of them, ``#3`` the ID of a cycle; any other word, and any
     text in ``"``, is part of the condition's text, ignoring case.
     """
-    words = [(match[1], match[2]) for match in _WORD.finditer(wish[:MAX_FILTER])]
+    words = [(match[1], match[2]) for match in _WORD.finditer(request[:MAX_FILTER])]
     return [
         index
         for index, one in enumerate(conditions)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Scope and path on the page: elements of NiceGUI around ``scope.js`` and ``path.js``.
 
-In: the track of the shared session, wishes of a person. Out: increments to the browser; travels,
+In: the track of the shared session, requests of a person. Out: increments to the browser; travels,
 stretches in detail.
 """
 
@@ -117,7 +117,7 @@ class Drawings:
             }
             self._scope.props["name"] = texts["scope_name"]
             self._scope.on("travel", self._travel)
-            self._scope.on("stretch", self._wish_stretch)
+            self._scope.on("stretch", self._request_stretch)
             ui.on("nctakt_taken", self.note_drawn)
             self._scope.on("kept", self._restore_filter)
 
@@ -222,12 +222,12 @@ class Drawings:
 
     def _lanes_shown(self, conditions: Sequence[Condition]) -> list[int]:
         """Return the places of the conditions that fit the filter, and say how many they are."""
-        wish = str(self._filter.value or "")
-        found = fitting(conditions, wish)
-        text = f"{len(found)}/{len(conditions)}" if wish.strip() else ""
+        request = str(self._filter.value or "")
+        found = fitting(conditions, request)
+        text = f"{len(found)}/{len(conditions)}" if request.strip() else ""
         if self._fitting.text != text:
             self._fitting.set_text(text)
-        self._filter.set_visibility(len(conditions) > 1 or bool(wish))
+        self._filter.set_visibility(len(conditions) > 1 or bool(request))
         return found
 
     def _show_future(self, future: dict[str, Any] | None) -> None:
@@ -249,7 +249,7 @@ class Drawings:
             self._path.update()
 
     def _offer_signals(self) -> None:
-        """Offer all signals; before somebody searches, the browser has only those shown."""
+        """Offer all signals; before the first search, the browser has only those shown."""
         if not self._has_offered:
             self._has_offered = True
             self._show_signals()
@@ -288,7 +288,7 @@ class Drawings:
             if not numbers:
                 ui.label(texts["feed_line"]).classes("nc-key feed_line")
 
-    # --- wishes ---------------------------------------------------------------------------------
+    # --- requests ---------------------------------------------------------------------------------
 
     async def _travel(self, event: Any) -> None:
         """Show the state after a tick."""
@@ -296,7 +296,7 @@ class Drawings:
             end = max(0, min(int(event.args) + 1, self._shared.snapshot.latest))
             await self._commander.do(lambda session: session.go_to(end))
 
-    async def _wish_stretch(self, event: Any) -> None:
+    async def _request_stretch(self, event: Any) -> None:
         """Let a stretch of the past come in detail; anybody may look."""
         words = event.args
         if not isinstance(words, list) or len(words) != 2 or self._shared.snapshot.is_playing:
@@ -304,7 +304,7 @@ class Drawings:
         if all(isinstance(word, int | float) for word in words):
             first, end = (max(0, min(int(word), self._shared.snapshot.latest)) for word in words)
             if first < end:
-                await self._stretches.wish((first, end))
+                await self._stretches.request((first, end))
 
     async def _send_stretch(self, bounds: tuple[int, int]) -> None:
         try:
@@ -336,7 +336,7 @@ class Drawings:
             self._filter.run_method("focus")
 
     def _keep_filter(self, event: Any) -> None:
-        """Let the browser keep the filter for when the page is loaded anew."""
+        """Let the browser keep the filter for when the page is reloaded."""
         self._scope.run_method("keepFilter", str(event.value or ""))
 
     def _restore_filter(self, event: Any) -> None:

@@ -2,7 +2,7 @@
 """The live page as an endpoint of ``nctakt serve``: the operator's, in the browser.
 
 In: the session that clients share, its programs. Out: the page's address until the servers end. The
-page commands the session as any client does, and cannot begin it anew.
+page commands the session as any client does, and cannot restart it.
 """
 
 from __future__ import annotations

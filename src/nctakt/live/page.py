@@ -341,7 +341,7 @@ class Page:
         self._dark.set_value(not self._is_dark)
 
     def _show_dark(self, event: Any) -> None:
-        """Take over whether the page is dark: as the system is, until somebody chooses."""
+        """Take over whether the page is dark: as the system is, until the user chooses."""
         self._is_dark = isinstance(event.args, dict) and event.args.get("isDark") is True
         self._program.set_dark(self._is_dark)
 

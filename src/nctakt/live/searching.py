@@ -45,13 +45,13 @@ class Search:
         self.branch = self._source.branch
         self.error: Failure | RuntimeError | None = None
         self.newer = 0
-        self._wishes: deque[Callable[[], None]] = deque()
+        self._requests: deque[Callable[[], None]] = deque()
         self._asked: tuple[Iterator[int | None], Future[int | None]] | None = None
         self._is_turn_back = self._is_ended = False
         self._anchor(None)
 
     def _anchor(self, before: int | None) -> None:
-        """Search anew, back from a tick, by default from the latest."""
+        """Restart the search, back from a tick, by default from the latest."""
         self.is_newest = before is None
         self.begin = self.end = self._source.latest if before is None else before
         self.events: tuple[Event, ...] = ()
@@ -77,7 +77,7 @@ class Search:
     @property
     def is_done(self) -> bool:
         """Whether the past is searched as far as it shall be."""
-        return self._asked is None and not self._wishes and not self._has_older
+        return self._asked is None and not self._requests and not self._has_older
 
     # --- from any thread ------------------------------------------------------------------------
 
@@ -88,13 +88,13 @@ class Search:
         """
         answer: Future[int | None] = Future()
         answer.set_running_or_notify_cancel()  # who no longer waits cannot cancel it
-        self._wishes.append(lambda: self._begin_hop(tick, answer, is_back=is_back))
+        self._requests.append(lambda: self._begin_hop(tick, answer, is_back=is_back))
         return answer
 
     def turn(self, *, is_older: bool) -> None:
         """Let the matches that are kept be older ones, or the newest."""
         before = self.begin if is_older else None
-        self._wishes.append(lambda: self._anchor(before))
+        self._requests.append(lambda: self._anchor(before))
 
     def end_it(self) -> None:
         """Search no more."""
@@ -112,8 +112,8 @@ class Search:
             return False
 
     def _advance(self) -> bool:
-        while self._wishes:
-            self._wishes.popleft()()
+        while self._requests:
+            self._requests.popleft()()
         if self._asked is not None:
             steps, answer = self._asked
             found = next(steps, -1)
@@ -195,8 +195,8 @@ class Search:
         """Give its controllers back; who waits for a match gets none."""
         for steps in (self._back, self._on, *(self._asked or ())[:1]):
             steps.close()
-        while self._wishes:
-            self._wishes.popleft()()
+        while self._requests:
+            self._requests.popleft()()
         if self._asked is not None:
             self._asked[1].set_result(None)
             self._asked = None

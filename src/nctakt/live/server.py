@@ -169,14 +169,14 @@ def _guard(access: Access, places: Places, texts: Texts, refused: Refused) -> No
     def refusal() -> str:
         return "" if places.make_room() else texts["too_many"].format(count=MAX_BROWSERS)
 
-    def looks_on(page: str) -> bool | None:
+    def is_connected(page: str) -> bool | None:
         client = Client.instances.get(page)
         return None if client is None else client.has_socket_connection
 
     app.add_exception_handler(404, _not_found)
     app.config.socket_io_js_transports = ["websocket"]
     core.sio.eio.max_http_buffer_size = _MAX_MESSAGE
-    app.add_middleware(Sockets, looks_on=looks_on, refused=refused)
+    app.add_middleware(Sockets, is_connected=is_connected, refused=refused)
     app.add_middleware(Guard, access=access, refusal=refusal, refused=refused)
 
 
@@ -188,7 +188,7 @@ async def _not_found(_: object, __: object) -> Response:
 
 
 async def _announce(url: str, host: str, port: int, announce: Callable[[str], None]) -> None:
-    """Report the address once somebody can connect."""
+    """Report the address once browsers can connect."""
     while True:
         with contextlib.suppress(OSError):
             _, writer = await asyncio.open_connection(_REACHABLE.get(host, host), port)

@@ -442,11 +442,11 @@ class SharedSession:
         )
         is_fast = is_playing and session.speed is None
         if self.path_signals and not is_fast:  # else it would be the present before it is drawn
-            self.ahead.wish(self.future_subject, session)
+            self.ahead.request(self.future_subject, session)
         if is_playing:
-            self.explainer.forget_wish()
+            self.explainer.forget_request()
         else:
-            self.explainer.wish((self._serial, snapshot.branch, snapshot.tick), session)
+            self.explainer.request((self._serial, snapshot.branch, snapshot.tick), session)
         return snapshot
 
     # --- curves ---------------------------------------------------------------------------------

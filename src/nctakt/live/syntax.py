@@ -2,7 +2,7 @@
 """The colours of a program's lines on the page: those that the language server has.
 
 In: the lines of a text, the range in view. Out: their texts with tokens; the browser compares the
-texts with its own, since somebody may have typed meanwhile.
+texts with its own, since the user may have typed meanwhile.
 """
 
 from __future__ import annotations

@@ -54,7 +54,7 @@ WORDS: dict[str, tuple[str, str]] = {
         "Zu einer Zeile oder der nächsten mit einem Text",
     ),
     "find_short": ("line or text", "Zeile oder Text"),
-    "not_found": ("No line has {wish}", "Keine Zeile hat {wish}"),
+    "not_found": ("No line has {request}", "Keine Zeile hat {request}"),
     "uncopied": ("Only lines in view can be copied", "Nur sichtbare Zeilen lassen sich kopieren"),
     "explain": ("Explain the word at the cursor", "Das Wort am Cursor erklären"),
     "finding": ("To the next finding, or the one before", "Zum nächsten Befund oder zum vorigen"),
@@ -224,7 +224,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "future_over": ("", ""),
     "future_error": ("ends with error {causes}", "endet mit Fehler {causes}"),
     "future_wait": ("then waits for {causes}", "wartet dann auf {causes}"),
-    "future_later": ("goes on after that", "geht danach weiter"),
+    "future_later": ("continues after that", "geht danach weiter"),
     "future_unknown": (
         "What comes is not known: it depends on a PLC or a model outside.",
         "Was kommt, ist nicht bekannt: Es hängt von einer SPS oder einem Modell außerhalb ab.",
@@ -317,7 +317,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "tour_again": ("Begin again", "Von vorn"),
     "tour_end": ("End the tour", "Rundgang beenden"),
     "tour_lost": (
-        "This is not the run of the tour: somebody has changed a value or the program.",
+        "This is not the run of the tour: a value or the program was changed.",
         "Dieser Lauf ist nicht der des Rundgangs: Jemand hat einen Wert oder das Programm "
         "geändert.",
     ),
@@ -346,7 +346,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "tour_why_title": ("Why?", "Warum?"),
     "tour_why": (
         "The list below answers for line {line}: the condition was evaluated once, in tick {tick}, "
-        "and compared 0 == 1. Somebody was at the gate then, and it is not evaluated again.",
+        "and compared 0 == 1. Someone was at the gate then, and it is not evaluated again.",
         "Die Liste unten antwortet für Zeile {line}: Die Bedingung wurde einmal ausgewertet, in "
         "Takt {tick}, und verglich 0 == 1. In diesem Takt war jemand am Tor, und sie wird nicht "
         "noch einmal ausgewertet.",

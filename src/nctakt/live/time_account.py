@@ -39,7 +39,7 @@ class TimesShown:
 
 
 class TimeAccounting:
-    """The account of a branch of a session; it goes on while somebody looks at it."""
+    """The account of a branch of a session; it continues while someone looks at it."""
 
     def __init__(self, session: Session) -> None:
         self.session = session

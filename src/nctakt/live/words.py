@@ -109,14 +109,14 @@ def _document_and_position(cursor: TextCursor) -> tuple[Any, Any]:
     return document, Position(cursor.line - 1, cursor.column)
 
 
-def line_found(lines: Sequence[str], wish: str, after: int) -> int:
+def line_found(lines: Sequence[str], request: str, after: int) -> int:
     """Return the line that a person looks for: by its number, or the next one with a text.
 
     The search begins after line ``after`` and wraps around; 0 if there is none.
     """
-    if wish.isascii() and wish.isdigit():
-        return int(wish) if 1 <= int(wish) <= len(lines) else 0
-    sought = wish.casefold()
+    if request.isascii() and request.isdigit():
+        return int(request) if 1 <= int(request) <= len(lines) else 0
+    sought = request.casefold()
     count = len(lines)
     for distance in range(count):
         number = (after + distance) % count

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The command that installs the libraries of an extra, as remedies name it.
 
-It names the libraries and not nctakt, so that it works in any folder and builds nothing anew.
+It names the libraries and not nctakt, so that it works in any folder and rebuilds nothing.
 """
 
 from __future__ import annotations

@@ -166,6 +166,6 @@ BYTE_ORDER_MARK = warning(
     de="die Datei beginnt mit einer Byte-Reihenfolge-Marke: die Steuerung erwartet reinen Text",
     remedy_en="Save the program as ASCII, or as UTF-8 without the mark.",
     remedy_de="Das Programm als ASCII oder als UTF-8 ohne die Marke speichern.",
-    cause_en="nctakt reads the file all the same.",
+    cause_en="nctakt reads the file anyway.",
     cause_de="nctakt liest die Datei trotzdem.",
 )

@@ -2,7 +2,7 @@
 """A PLC in Structured Text as the PLC of a run (ST-560, ST-801 … ST-805).
 
 In: a ``.plcproj``, or a file with Structured Text. Out: a PLC whose tasks run in the tick. It is
-translated anew for each run, so that each run begins with its initial values.
+translated again for each run, so that each run begins with its initial values.
 """
 
 from __future__ import annotations
@@ -280,7 +280,7 @@ class StructuredPlc(RealtimePlc):
         return self._findings
 
     def attach(self, machine: AssembledMachine) -> StructuredPlc:
-        """Begin anew on a machine: initial values, FB_init, then the tasks from its next tick."""
+        """Restart on a machine: initial values, FB_init, then the tasks from its next tick."""
         if not is_compiled():
             _allow_depth()
         layout, kernel = self.translated.layout, machine.kernel

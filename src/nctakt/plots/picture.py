@@ -223,7 +223,7 @@ class Sheet:
             )
         title = panel.title if len(panel.title) <= 24 else f"{panel.title[:23]}…"
         axes.set_ylabel(f"{title}\n{panel.unit}".strip(), fontsize=8, color=INK)
-        plain_look(axes)
+        style_axes(axes)
         if len(panel.lines) > 1 or panel.lines[0].name != panel.title:
             axes.legend(
                 loc="upper left",
@@ -279,7 +279,7 @@ class Sheet:
         self._draw_arrows(axes)
         axes.set_yticks(range(len(self._lanes)), [_label(lane) for lane in self._lanes])
         axes.set_ylim(max(len(self._lanes), 2) - 0.4, -0.6)
-        plain_look(axes)
+        style_axes(axes)
         axes.grid(False, axis="y")
         axes.tick_params(labelbottom=False)
         notes = list(scene.notes)
@@ -339,7 +339,7 @@ def _label(lane: Lane) -> str:
     return f"({lane.number})  {label}" if lane.number else label
 
 
-def plain_look(axes: Any) -> None:
+def style_axes(axes: Any) -> None:
     axes.tick_params(labelsize=7, color=GRID, labelcolor=INK)
     axes.yaxis.get_offset_text().set_fontsize(7)
     axes.grid(linewidth=0.4, color=GRID)

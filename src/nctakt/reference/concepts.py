@@ -132,8 +132,8 @@ _CONCEPTS = (
     _concept(
         "single block; Einzelsatz, Einzelsatzbetrieb",
         Text(
-            "The program stops after each block and goes on with START; the debugger and the page "
-            "step by blocks in the same manner",
+            "The program stops after each block and continues with START; the debugger and the "
+            "page step by blocks in the same manner",
             "Das Programm hält nach jedem Satz und geht mit START weiter; Debugger und Seite "
             "gehen ebenso satzweise weiter",
         ),
@@ -158,8 +158,8 @@ _CONCEPTS = (
         "waiting, wait, waits, standstill, hang, hangs, stuck, stops; Warten, warten, warte, "
         "wartet, Wartezeit, Stillstand, hängt, stehen, steht, bleibt",
         Text(
-            "A program that does not go on waits for the PLC's acknowledgement of a function, for "
-            "an axis or a spindle, for START, for a signal of another channel, or for a time",
+            "A program that does not continue waits for the PLC's acknowledgement of a function, "
+            "for an axis or a spindle, for START, for a signal of another channel, or for a time",
             "Ein Programm, das nicht weitergeht, wartet auf die Quittung einer Funktion durch die "
             "SPS, auf eine Achse oder Spindel, auf START, auf ein Signal eines anderen Kanals oder "
             "auf eine Zeit",
@@ -259,7 +259,7 @@ _CONCEPTS = (
     _concept(
         "feed hold, feedhold, hold; Vorschubhalt, Vorschub-Halt, anhalten",
         Text(
-            "The operator stops the path: it brakes to a standstill and goes on from there once "
+            "The operator stops the path: it brakes to a standstill and continues from there once "
             "the hold is lifted",
             "Der Bediener hält die Bahn an: Sie bremst bis zum Stillstand und geht von dort "
             "weiter, sobald der Halt aufgehoben ist",
@@ -321,7 +321,7 @@ _CONCEPTS = (
         "tick, ticks, cycle time, CNC cycle; Takt, Takte, Zykluszeit",
         Text(
             "The period of the interpolator: in each tick inputs are read, then realtime cycles "
-            "run, then the path goes on; cycle_time in rtconf.lis, 1 ms without it",
+            "run, then the path continues; cycle_time in rtconf.lis, 1 ms without it",
             "Die Periode des Interpolators: In jedem Takt werden Eingaben gelesen, dann laufen die "
             "Echtzeit-Zyklen, dann geht die Bahn weiter; cycle_time in rtconf.lis, sonst 1 ms",
         ),

@@ -49,7 +49,7 @@ _COMPILED = {
     "BoundValue": (),
     "InputNotes": ("cells", "is_listening"),
     "TemplateEvaluator": (),
-    "TransformedWay": ("number",),
+    "TransformedTravel": ("number",),
 }
 
 

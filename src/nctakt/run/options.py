@@ -405,7 +405,7 @@ OPTIONS: Sequence[RunOption] = (
         name="acknowledge",
         kind=Flag(),
         help=Text(
-            "M and H functions wait for somebody to acknowledge them.",
+            "M and H functions wait until someone acknowledges them.",
             "M- und H-Funktionen warten, bis jemand sie quittiert.",
         ),
         accepted_by=f"{_SESSIONS} launch",

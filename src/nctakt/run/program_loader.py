@@ -151,7 +151,7 @@ class LoadedProgram:
     def on(self, machine: AssembledMachine) -> LoadedProgram:
         """Return the program for another controller of the same machine, not checked again.
 
-        Only the files loaded with it are included; files called by a computed name are read anew.
+        Only the files loaded with it are included; files called by a computed name are reread.
         """
         other = LoadedProgram(machine, self.channel, self._names.fetched)
         other.texts = self.texts[: self._loaded_count]

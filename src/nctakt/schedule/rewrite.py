@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""rtconf.lis written anew: the values that count, with everything else that is in it.
+"""rtconf.lis rewritten: the values that count, with everything else that is in it.
 
 In: the bytes of a list, the configuration wanted. Out: the bytes of a list with that configuration.
 Comments, order, blanks, line ends and encoding stay. Entries without effect (unknown ones, earlier
@@ -92,7 +92,7 @@ class _Rewriting:
         self._keys = {entry.key_span.line: key for key, entry in self._counting.items()}
 
     def result(self) -> RewrittenList:
-        """Return the list anew."""
+        """Return the rewritten list."""
         text, mark, tail = decode_text(self._data).text.partition(_END_OF_FILE)
         ends = _LINE_END.findall(text)
         usual = ends[0] if ends else "\n"

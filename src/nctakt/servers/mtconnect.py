@@ -73,7 +73,7 @@ class MtconnectEndpoint:
             lambda name, port: asyncio.start_server(self._serve, name, port, limit=_MAX_LINE),
         )
         self._stop_listening = host.store.listen(self._take)
-        self._stop_hearing = host.notices.listen(self._hear)
+        self._stop_hearing = host.notices.listen(self._send_notice)
         return shown
 
     async def close(self) -> None:
@@ -138,7 +138,7 @@ class MtconnectEndpoint:
         store = self._host.store
         return {item.key: item.show(store.values, store.frame) for item in self._items}
 
-    def _hear(self, notice: ServerNotice) -> None:
+    def _send_notice(self, notice: ServerNotice) -> None:
         """Send messages of programs and diagnostics to all agents."""
         for line in _lines_of(notice):
             for client in tuple(self.clients):

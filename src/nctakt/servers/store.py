@@ -71,11 +71,11 @@ class Store:
         if self.has(asked_for) and all(name in own for name in asked_for):
             return
         async with self._lock:  # a value that goes just now is here, but must come again
-            await self._let_come(asked_for)
+            await self._subscribe_missing(asked_for)
             own = self._borrowed if is_borrowing else self._names
             own.update((name, None) for name in asked_for if name not in self._names)
 
-    async def _let_come(self, names: Iterable[str]) -> None:
+    async def _subscribe_missing(self, names: Iterable[str]) -> None:
         """Subscribe those of these names that do not come yet; raises ``Failure``."""
         known = {**self._names, **dict.fromkeys(self._held), **self._borrowed}
         missing = [name for name in names if name not in known]
@@ -86,7 +86,7 @@ class Store:
         """Hold these values until they are released as often; raises as ``subscribe``."""
         asked_for = list(names)
         async with self._lock:
-            await self._let_come(dict.fromkeys(asked_for))
+            await self._subscribe_missing(dict.fromkeys(asked_for))
             for name in asked_for:
                 self._held[name] = self._held.get(name, 0) + 1
 

@@ -420,7 +420,7 @@ class SessionCore:
         return cast("str", self.timeline.live.ask("retained"))
 
     def restart_schedule(self) -> None:
-        """Let a real schedule begin anew after a pause."""
+        """Restart a real schedule after a pause."""
         self.timeline.restart_schedule()
 
     def schedule_table(self, language: Language) -> str:

@@ -67,13 +67,13 @@ class Cursor:
 
     def leave(self) -> None:
         """Be after the last tick."""
-        self._let_go()
+        self._release_halted()
         if self._base is not None:
             self._base.close()
             self._base = None
         self.statement = None
 
-    def _let_go(self) -> None:
+    def _release_halted(self) -> None:
         if self._halted is not None and self._halted is not self._timeline.live:
             self._halted.close()
         self._halted = None
@@ -154,14 +154,14 @@ class Cursor:
         except BaseException:
             engine.close()
             raise
-        self._let_go()
+        self._release_halted()
         self._halted, self.statement = engine, halted
 
     def enter_fault(self) -> bool:
         """Go to where a fault has stopped the PLC; return whether one has."""
         failed = cast("PlcPlace | None", self._timeline.live.ask("plc_fault"))
         if failed is not None:
-            self._let_go()
+            self._release_halted()
             self._halted, self.statement = self._timeline.live, failed
         return failed is not None
 

@@ -54,7 +54,7 @@ class GrowingTape:
     def look(self) -> None:
         """Append the inputs since the last update.
 
-        Raises ``OSError``, then the next look begins the file anew, and ``Failure`` once the
+        Raises ``OSError``, then the next look starts the file again, and ``Failure`` once the
         session is closed.
         """
         first = 0 if self._file is None else self._tick
@@ -112,7 +112,7 @@ class GrowingTape:
         self._end = file.tell() - len(lines[-1].encode("utf-8", errors="backslashreplace"))
 
     def _give_up(self) -> None:
-        """Begin anew with the next look."""
+        """Start again with the next look."""
         if self._file is not None:
             self._file.close()
             self._file = None

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from nctakt.schedule.open_schedule import RunSchedule
     from nctakt.schedule.simulation.ticks import ThreadRoles
 
-#: Requests of a session: begin anew after a pause, return the table, end.
+#: Requests of a session: restart after a pause, return the table, end.
 RESTART, TABLE, CLOSE = "restart", "table", "close"
 
 

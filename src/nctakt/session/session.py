@@ -454,7 +454,7 @@ class Session:
         clock, self._thread.clock = self._thread.clock, None
         if clock is None:
             return self._core.latest
-        self._subscribers.give_rest()
+        self._subscribers.flush()
         return self._core.with_events()
 
     @property

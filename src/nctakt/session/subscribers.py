@@ -83,7 +83,7 @@ class Subscribers:
         if done.run_state is not None:
             self.notify("ended", done.run_state)
 
-    def give_rest(self) -> None:
+    def flush(self) -> None:
         """Hand out everything waiting for the listeners' next frames: the session has stopped."""
         self._give([one for one in self._listeners if self._pending[id(one)]], None)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from nctakt.base.diagnostics import Language, Span, Text
-from nctakt.plots.picture import new_sheet, picture_of, plain_look
+from nctakt.plots.picture import new_sheet, picture_of, style_axes
 from nctakt.plots.style import FEED, INK, RAPID
 from nctakt.results.summary import headline
 from nctakt.timing.entries import Purpose, TimeAccount
@@ -72,7 +72,7 @@ def write_time_picture(account: TimeAccount, path: Path, language: Language) -> 
         axes.set_xlabel(text, fontsize=8)
         if bars:
             axes.legend(fontsize=8, loc="best")
-        plain_look(axes)
+        style_axes(axes)
         path.write_bytes(picture_of(sheet, path.suffix.lower()[1:]))
 
 

@@ -115,12 +115,12 @@ def _faster(own: AxisDynamics) -> AxisDynamics:
         own,
         max_speed=2.0 * own.max_speed,
         rapid_speed=2.0 * own.rapid_speed,
-        feed_slope=_changed_over(own.feed_slope),
-        rapid_slope=_changed_over(own.rapid_slope),
+        feed_slope=_with_doubled_changeover(own.feed_slope),
+        rapid_slope=_with_doubled_changeover(own.rapid_slope),
     )
 
 
-def _changed_over(slope: TrapezoidSlope) -> TrapezoidSlope:
+def _with_doubled_changeover(slope: TrapezoidSlope) -> TrapezoidSlope:
     return replace(slope, changeover_speed=2.0 * slope.changeover_speed)
 
 

@@ -154,7 +154,7 @@ class Body(ABC):
         """Return the statement that assigns a value, converted where it widens."""
 
     def take_cost(self) -> int:
-        """Return the number of nodes since the last statement, and begin to count anew."""
+        """Return the number of nodes since the last statement, and restart counting."""
         cost, self.cost = max(self.cost, 1), 0
         return cost
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A project that is typed has the findings of a check that begins anew, after each keystroke.
+"""A project that is typed has the findings of a check that restarts, after each keystroke.
 
 What a check reports is what ST-1001 says; ``nctakt check`` is the other side of each comparison.
 """

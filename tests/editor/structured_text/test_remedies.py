@@ -23,7 +23,7 @@ HEAD = "PROGRAM MAIN\nVAR\n    n : INT;\n    nLarge : DINT;\n    b : BOOL;\nEND_
 def remedies(folder: Path, files: dict[str, str], name: str, number: int) -> dict[str, str]:
     """The titles of the actions for the first finding of a number, with the texts that result.
 
-    A check that begins anew must lack the finding, and have none that was not there before.
+    A check that restarts must lack the finding, and have none that was not there before.
     """
     typed = Typed(folder, files)
     document = typed.documents[name]

@@ -566,8 +566,10 @@ def test_values_cycles_and_channels_of_a_moment_are_of_one_tick(served, monkeypa
 
     async def moments():
         space = served.endpoint.space
-        watched = [live for live in space.live.values() if live.needs_glance or live.signal][:20]
-        watched += [live for live in space.live.values() if live.needs_glance][:2]
+        watched = [live for live in space.live.values() if live.needs_state_view or live.signal][
+            :20
+        ]
+        watched += [live for live in space.live.values() if live.needs_state_view][:2]
         first = await space.watch(watched)
         second = await space.read(watched)
         for live in watched:

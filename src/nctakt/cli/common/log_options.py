@@ -139,11 +139,11 @@ def opened_log(words: LogWords, controller: Controller, access: FileAccess) -> O
     signals = {one.name: one for one in controller.signals()}
     event = None if words.align is None else AligningEvent.of(words.align)
     own = () if event is None or not event.signal else (event.signal,)
-    for wished in (*said.wishes, *filter(None, limits), *own):
-        if wished not in signals:
-            controller.signal(wished)  # raises with the nearest name
+    for requested in (*said.mappings, *filter(None, limits), *own):
+        if requested not in signals:
+            controller.signal(requested)  # raises with the nearest name
     axes = [axis.name for axis in controller.machine.axes]
-    pairs = pairs_of(log, list(signals.values()), axes, said.wishes)
+    pairs = pairs_of(log, list(signals.values()), axes, said.mappings)
     begin: float | EventInLog | None = offset_us
     if event is not None:
         begin = EventInLog(event, *event.log_us(log, pairs, signals), signals)

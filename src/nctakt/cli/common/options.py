@@ -127,7 +127,7 @@ TRUST_OPTION = option(
     callback=_trust,
     group="machine",
     text=Text(
-        "Run the code of the project, whoever may write it.",
+        "Run the code of the project, no matter who can write it.",
         "Code des Projekts ausführen, wer immer ihn schreiben darf.",
     ),
 )

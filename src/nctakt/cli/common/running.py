@@ -79,8 +79,8 @@ def choose_mode(options: Options) -> None:
     elif not mode.is_compiled():
         if options.compiled:
             raise Failure(diagnostic(COMPILED_PART_MISSING))
-        wished = os.environ.get("NCTAKT_PLAIN") == "1"
-        if not options.quiet and not wished:
+        requested = os.environ.get("NCTAKT_PLAIN") == "1"
+        if not options.quiet and not requested:
             print_diagnostics([diagnostic(RUNNING_UNCOMPILED)], options.language)
 
 

@@ -162,5 +162,5 @@ def _write(file: OutputFile, read: ListRead, suggestions: Suggestions) -> None:
     names |= {name for name, _, _ in changed_entries(suggestions.present, best)}
     convention = read.options.convention
     configuration = best.configuration
-    anew = rewrite(file.name, read.data, read.values, configuration, names, convention)
-    file.write(anew.data)
+    rewritten = rewrite(file.name, read.data, read.values, configuration, names, convention)
+    file.write(rewritten.data)

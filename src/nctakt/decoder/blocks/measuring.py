@@ -220,7 +220,7 @@ class Measuring:
                 yield self._touch(command, words, continues, source, number)
             answer = yield command
         if segment is None:
-            if self._environment.parameters.measuring.needs_way:
+            if self._environment.parameters.measuring.needs_travel:
                 self._values.fail(NO_MEASURING_WAY, span)
             self._forget(words)
             return

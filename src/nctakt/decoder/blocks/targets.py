@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Mapping, Sequence
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.axes.coupled_axes import check_way, check_words
+from nctakt.decoder.blocks.axes.coupled_axes import check_travel, check_words
 from nctakt.decoder.blocks.block_content import BlockContent
 from nctakt.decoder.blocks.diameters import radius_of
 from nctakt.decoder.blocks.path.path_motion import CENTRE_WORDS, PathMotion
@@ -43,7 +43,7 @@ class Targets:
             content.path.interim = self._interim_of(content)
         if self._values.state.couplings.places:
             check_words(self._values, content.programmed)
-            check_way(self._values, self._state.positions, target, span)
+            check_travel(self._values, self._state.positions, target, span)
         return target
 
     def _of(self, content: BlockContent, span: Span) -> list[float]:
@@ -71,7 +71,7 @@ class Targets:
             if any(index < MAIN_AXES for index in spans):
                 spans = {index: span for index in range(MAIN_AXES)} | spans
         if not offsets.transformation.is_active:
-            if content.measures and self._environment.parameters.measuring.shortens_way:
+            if content.measures and self._environment.parameters.measuring.shortens_travel:
                 target = self._shortened(target, spans)
             for index, word_span in spans.items():
                 self._path.check_limit(index, target[index], word_span)

@@ -357,7 +357,7 @@ class CycleBuilder:
         return built
 
     def _freeze(self, node: tree.Variable | tree.Parameter) -> Operand:
-        """An asynchronous value: that of now, a constant from now on."""
+        """An asynchronous value: the present one, a constant from now on."""
         value = self._values.evaluate_now(node)
         self._frozen.append(FrozenValue(format_expression(node), value, node.span))
         return constant(value)

@@ -2,7 +2,7 @@
 # C types of lines.py.
 cimport cython
 from nctakt.decoder.fast.compensated_lines cimport CompensatedLines
-from nctakt.decoder.kinematics.transformed_way cimport TransformedWay
+from nctakt.decoder.kinematics.transformed_travel cimport TransformedTravel
 from nctakt.kernel cimport rows
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.nc.fast.plain_lines cimport PlainScanner
@@ -10,7 +10,7 @@ from nctakt.nc.fast.plain_lines cimport PlainScanner
 cdef class PlainLines:
     cdef readonly PlainScanner scanner
     cdef readonly CompensatedLines compensated
-    cdef readonly TransformedWay axis_check
+    cdef readonly TransformedTravel axis_check
     cdef public bint is_transformed
     cdef public bint leaves_last
     cdef public bint leaves_functions

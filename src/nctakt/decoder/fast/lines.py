@@ -9,7 +9,7 @@ mistakes or other effects are left to the tree.
 from __future__ import annotations
 
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
-from nctakt.decoder.kinematics.transformed_way import TransformedWay
+from nctakt.decoder.kinematics.transformed_travel import TransformedTravel
 from nctakt.kernel import rows
 from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.tick.command_queue import CommandQueue
@@ -36,7 +36,7 @@ class PlainLines:
         scanner: PlainScanner,
         count: int,
         compensated: CompensatedLines,
-        axis_check: TransformedWay,
+        axis_check: TransformedTravel,
     ) -> None:
         self.scanner = scanner
         self.compensated = compensated

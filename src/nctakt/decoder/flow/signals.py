@@ -85,7 +85,7 @@ class Signals:
                     yield from self._take(parsed, receivers, number)
 
     def _condition(self, command: tree.HashCommand, number: int) -> Decoded:
-        """Wait until the expression is true; it is evaluated anew in each tick."""
+        """Wait until the expression is true; it is evaluated again in each tick."""
         (condition,) = command.arguments
         assert isinstance(condition, tree.Expression)
         source = self._environment.source_id(command.span)

@@ -95,14 +95,14 @@ class Joint:
 
 def length_of(segment: Segment, linear: Sequence[int]) -> float:
     """Return the length of a line or arc over these axes, mm."""
-    ways = [end - begin for begin, end in zip(segment.start, segment.target, strict=True)]
+    travels = [end - begin for begin, end in zip(segment.start, segment.target, strict=True)]
     if segment.arc is not None:
         first, second, centre_1, centre_2, angle = segment.arc
         radius = math.hypot(
             segment.start[int(first)] - centre_1, segment.start[int(second)] - centre_2
         )
-        ways[int(first)], ways[int(second)] = radius * angle * RADIANS, 0.0
-    return math.hypot(*(ways[axis] for axis in linear))
+        travels[int(first)], travels[int(second)] = radius * angle * RADIANS, 0.0
+    return math.hypot(*(travels[axis] for axis in linear))
 
 
 def _bend(arc: Segment, position: Point, length: float) -> list[float]:

@@ -112,7 +112,7 @@ class PlcProjects:
             gc.collect()
 
     def forget(self) -> None:
-        """Find the projects anew: files have been saved, added or removed."""
+        """Find the projects again: files have been saved, added or removed."""
         self._of_document.clear()
 
     # --- finding ----------------------------------------------------------------------------------

@@ -378,7 +378,7 @@ class AxisMotions:
         self.faults.enter(axis, 901879, self.in_channel[axis])
 
     def step_axis(self, axis: int) -> None:
-        """Advance one axis by a tick; plan anew where its limit has changed."""
+        """Advance one axis by a tick; replan where its limit has changed."""
         if self.oscillations.pausing[axis] > 0:
             self.oscillations.pausing[axis] -= 1
             return

@@ -38,7 +38,7 @@ class AxisPlans:
     """The plan of each axis, and the speed and acceleration that it has reached.
 
     ``start_d``: where the plan begins, ``ticks``: since then, ``planned_v``: its highest speed,
-    -1 if the axis has to be planned anew. ``last_direction``: 1 or -1, kept at rest.
+    -1 if the axis has to be replanned. ``last_direction``: 1 or -1, kept at rest.
     """
 
     def __init__(self, limits: MotionLimits, count: int, cycle_time_us: int) -> None:

@@ -65,7 +65,7 @@ class Record:
         self.begin_extent()
 
     def begin_extent(self) -> None:
-        """Forget all rows; where they are reduced, begin with the values of now."""
+        """Forget all rows; where they are reduced, begin with the present values."""
         self.row_count = 0
         if self.is_reduced:
             for i in range(self.signal_count):

@@ -340,7 +340,7 @@ class CycleManager:
     def enter_block(self, serial: int) -> None:
         """Let armed cycles run with the block that was just taken.
 
-        A cycle that is held before its block belongs to that block all the same (RC-105).
+        A cycle that is held before its block still belongs to that block (RC-105).
         """
         if self.armed_count == 0:
             return

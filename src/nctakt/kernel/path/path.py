@@ -3,7 +3,7 @@
 
 A segment is a row of the command queue (``rows.py``); ``geometry.py`` computes where the axes are
 on it. The path handles what only the tick knows: override, hold and stop. Every change of the speed
-limit plans the rest of the present stage of the segment anew from the present speed; position and
+limit replans the rest of the present stage of the segment from the present speed; position and
 speed come from the plan in closed form. Time left over in a tick when a segment ends without a stop
 is carried into the next one. Segments that were used stay in the history until they are
 overwritten: ``backward.py`` walks back over them (MO-7).
@@ -249,7 +249,7 @@ class Path(PathAxes):
         return 1 if rest_d <= 1e-9 and rest_d < self.covered_d else 0
 
     def set_single(self, is_single: bool) -> None:
-        """Switch single block; plan the current segment anew where it matters (MO-6)."""
+        """Switch single block; replan the current segment where it matters (MO-6)."""
         self.is_single = is_single
         if self.is_active and not self.is_dwell and self.ends_moving():
             self.limit_v = -1.0

@@ -110,7 +110,7 @@ class TransformedLimits:
         self.axis_j = axis_j
 
     def locate(self, segments: memoryview[float], row: int, part: float, sample: int) -> None:
-        """Put the axes after ``part`` of a segment into a sample; beyond the ends it goes on."""
+        """Put the axes after ``part`` of a segment into a sample; beyond the ends it continues."""
         start = row + rows.START
         target = start + self.count
         for i in range(self.count):

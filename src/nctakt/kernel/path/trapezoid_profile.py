@@ -16,7 +16,7 @@ class TrapezoidProfile:
     """Three phases: constant acceleration, constant speed, constant deceleration.
 
     ``is_endless``: the end is never reached, because the speed limit is zero: the motion is stopped
-    until it is planned anew.
+    until it is replanned.
     """
 
     def __init__(self) -> None:

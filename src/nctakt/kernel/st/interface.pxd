@@ -57,14 +57,14 @@ cdef class ControlUnits:
     cdef long long[::1] is_released
     cdef long long[::1] is_pressed
     cdef long long[::1] was_commanded
-    cdef double[::1] wish
+    cdef double[::1] requested
     cdef double[::1] commanded
     @cython.locals(i=Py_ssize_t, cell=Py_ssize_t)
     cdef void guard(self) noexcept nogil
     @cython.locals(cell=Py_ssize_t)
     cdef void press(self, Py_ssize_t unit) noexcept nogil
     cdef int was_pressed(self, Py_ssize_t unit) noexcept nogil
-    @cython.locals(i=Py_ssize_t, wish=double)
+    @cython.locals(i=Py_ssize_t, requested=double)
     cdef void show(self) noexcept nogil
     @cython.locals(
         i=Py_ssize_t, is_set=cython.longlong, number=cython.longlong, decides=cython.bint

@@ -29,7 +29,7 @@ class CncSide:
         """Take over the variables that the PLC has written, before other inputs."""
 
     def guard(self) -> None:
-        """Put commands into force; wishes of others that the PLC decides about wait."""
+        """Put commands into force; requests of others that the PLC decides about wait."""
 
     def event_bound(self) -> int:
         """Highest number of events in a tick."""
@@ -159,7 +159,7 @@ class ControlUnits:
         self.is_released = integers(len(rows) + 8)
         self.is_pressed = integers(len(rows) + 8)
         self.was_commanded = integers(len(rows) + 8)
-        self.wish = doubles(len(rows) + 8)
+        self.requested = doubles(len(rows) + 8)
         self.commanded = doubles(len(rows) + 8)
         end = len(self.values.memory) - kinds.SLACK
         for i, (enable, command, request, kind, cell, factor, area, is_edge) in enumerate(rows):
@@ -186,20 +186,20 @@ class ControlUnits:
             elif self.is_decided[i]:
                 if self.is_decided[i] == kinds.COMMANDED:  # it decides from this tick on
                     self.is_decided[i] = kinds.IN_FORCE
-                    self.wish[i] = self.values.cells[cell]
+                    self.requested[i] = self.values.cells[cell]
                 elif self.values.cells[cell] != self.commanded[i]:
-                    self.wish[i] = self.values.cells[cell]
+                    self.requested[i] = self.values.cells[cell]
                 self.values.cells[cell] = self.commanded[i]
             elif self.is_released[i]:
                 self.is_released[i] = 0
-                self.values.cells[cell] = self.wish[i]
+                self.values.cells[cell] = self.requested[i]
 
     def press(self, unit: int) -> None:
         """Press a key for the PLC; presses of others only show while it decides."""
         cell = self.cell[unit]
         if self.is_decided[unit] and self.values.cells[cell] != 0.0 and not self.was_pressed(unit):
             self.values.cells[cell] = 0.0
-            self.wish[unit] = 1.0
+            self.requested[unit] = 1.0
         if self.is_pressed[unit] == kinds.COMMANDED:
             self.is_pressed[unit] = kinds.IN_FORCE
             self.values.cells[cell] = 1.0
@@ -213,12 +213,12 @@ class ControlUnits:
     def show(self) -> None:
         """Show the requests of others."""
         for i in range(self.count):
-            wish = self.wish[i]
+            requested = self.requested[i]
             if not self.is_edge[i] and not self.is_decided[i]:
-                wish = self.values.cells[self.cell[i]]
-            self.values.put(self.request[i], int(self.kind[i]), wish * self.factor[i])
+                requested = self.values.cells[self.cell[i]]
+            self.values.put(self.request[i], int(self.kind[i]), requested * self.factor[i])
             if self.is_edge[i]:
-                self.wish[i] = 0.0
+                self.requested[i] = 0.0
 
     def read_commands(self) -> None:
         """Look at the commands after the PLC's tasks."""

@@ -15,8 +15,8 @@ cdef class EarlyOutputs:
     cdef Path path
     cdef Hli hli
     cdef Record record
-    cdef double way_d
-    cdef double way_t
+    cdef double travel_d
+    cdef double travel_t
     cdef double last_v
     cdef double last_a
     cdef double end_v
@@ -27,7 +27,7 @@ cdef class EarlyOutputs:
     )
     cdef void put_out(self, long long tick) noexcept nogil
     @cython.locals(row=Py_ssize_t, rest_d=double)
-    cdef void begin_way(self) noexcept nogil
+    cdef void begin_travel(self) noexcept nogil
     @cython.locals(factor=double)
     cdef void go_on(self, double[::1] segments, Py_ssize_t row, double length_d) noexcept nogil
     @cython.locals(lead=double, kind=int, end_v=double)

@@ -21,7 +21,7 @@ from nctakt.kernel.tick.command_queue import CommandQueue
 class EarlyOutputs:
     """Looks along the queue for functions that are due.
 
-    ``way_d``: mm from the path to the command; ``way_t``: s that they take at the feeds that are
+    ``travel_d``: mm from the path to the command; ``travel_t``: their time, at the feeds that are
     programmed, with the override. ``last_v``, ``last_a``, ``end_v``: speed, acceleration and
     planned end speed of the last segment up to there.
     """
@@ -31,8 +31,8 @@ class EarlyOutputs:
         self.path = queue.path
         self.hli = hli
         self.record = record
-        self.way_d = 0.0
-        self.way_t = 0.0
+        self.travel_d = 0.0
+        self.travel_t = 0.0
         self.last_v = 0.0
         self.last_a = 0.0
         self.end_v = 0.0
@@ -41,7 +41,7 @@ class EarlyOutputs:
         """Put out the functions due in this tick, in the order of the program."""
         if self.path.is_active and self.path.is_dwell:
             return
-        self.begin_way()
+        self.begin_travel()
         is_open = 1
         closed_d = -1.0
         has_more = 0
@@ -54,21 +54,21 @@ class EarlyOutputs:
                 self.go_on(self.queue.rows, row, length_d)
             elif kind == rows.TECHNOLOGY and self.queue.rows[row + rows.TECHNOLOGY_LEAD] > 0.0:
                 has_more = 1
-                if not (is_open or self.way_d == closed_d):
+                if not (is_open or self.travel_d == closed_d):
                     return
                 if not self.is_due(row) or not self.issue(tick, row):
                     is_open = 0
-                    closed_d = self.way_d
+                    closed_d = self.travel_d
             elif not rows.is_transparent(kind) and kind != rows.AWAIT_ACKNOWLEDGE:
                 is_open = 0
                 closed_d = -1.0
             position += 1
         self.queue.has_early = has_more > 0
 
-    def begin_way(self) -> None:
+    def begin_travel(self) -> None:
         """Begin with the rest of the path's current segment."""
-        self.way_d = 0.0
-        self.way_t = 0.0
+        self.travel_d = 0.0
+        self.travel_t = 0.0
         self.last_v = 0.0
         self.last_a = 0.0
         self.end_v = 0.0
@@ -85,15 +85,15 @@ class EarlyOutputs:
         self.last_v = min(segments[row + rows.SPEED] * factor, segments[row + rows.MAX_SPEED])
         self.last_a = segments[row + rows.ACCELERATION]
         self.end_v = min(segments[row + rows.END_SPEED], self.last_v)
-        self.way_d += length_d
-        self.way_t += length_d / self.last_v if self.last_v > 0.0 else 1e30
+        self.travel_d += length_d
+        self.travel_t += length_d / self.last_v if self.last_v > 0.0 else 1e30
 
     def is_due(self, row: int) -> int:
         """Return whether the lead of the function at ``row`` covers the distance up to it."""
         lead = self.queue.rows[row + rows.TECHNOLOGY_LEAD]
         kind = int(self.queue.rows[row + rows.TECHNOLOGY_LEAD_KIND])
         if kind == codes.LEAD_DISTANCE:
-            return 1 if self.way_d <= lead else 0
+            return 1 if self.travel_d <= lead else 0
         end_v = 0.0 if kind == codes.LEAD_TIME_TO_REST else self.end_v
         return 1 if self.time_to(end_v) <= lead else 0
 
@@ -101,12 +101,12 @@ class EarlyOutputs:
         """Return the time of the distance, in s, with a ramp to ``end_v`` at its end."""
         change_v = self.last_v - end_v
         if change_v <= 0.0 or self.last_a <= 0.0:
-            return self.way_t
+            return self.travel_t
         ramp_d = change_v * (self.last_v + end_v) / (2.0 * self.last_a)
-        if self.way_d < ramp_d:
-            start_v = math.sqrt(end_v * end_v + 2.0 * self.last_a * self.way_d)
+        if self.travel_d < ramp_d:
+            start_v = math.sqrt(end_v * end_v + 2.0 * self.last_a * self.travel_d)
             return (start_v - end_v) / self.last_a
-        return self.way_t + change_v * change_v / (2.0 * self.last_a * self.last_v)
+        return self.travel_t + change_v * change_v / (2.0 * self.last_a * self.last_v)
 
     def issue(self, tick: int, row: int) -> int:
         """Put a function out; return 0 if it has to wait.

@@ -42,7 +42,7 @@ class AxisMeasuring:
 class ChannelMeasuring:
     """Measuring in a channel; ``type``: P-CHAN-00057.
 
-    ``shortens_way``: measuring motions end at software limits. ``adds_radius``: values as
+    ``shortens_travel``: measuring motions end at software limits. ``adds_radius``: values as
     programmed are those of the workpiece, not of the centre of the probe. ``of_all_axes``: not of
     the programmed axes alone, where a coordinate system is active.
     """
@@ -51,8 +51,8 @@ class ChannelMeasuring:
     needs_signal: bool
     needs_fixed_stop: bool
     may_be_pressed: bool
-    needs_way: bool
-    shortens_way: bool = False
+    needs_travel: bool
+    shortens_travel: bool = False
     adds_radius: bool = True
     of_all_axes: bool = False
 

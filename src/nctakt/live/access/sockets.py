@@ -39,17 +39,17 @@ _SOCKETS = Text("too many WebSockets", "zu viele WebSockets")
 class Sockets:
     """Lets WebSockets of browsers pass, and everything that is not a WebSocket.
 
-    ``looks_on``: whether the page of an ID has a browser; ``None`` if there is no such page.
+    ``is_connected``: whether the page of an ID has a browser; ``None`` if there is no such page.
     """
 
     def __init__(
         self,
         application: Application,
-        looks_on: Callable[[str], bool | None],
+        is_connected: Callable[[str], bool | None],
         refused: Refused,
     ) -> None:
         self._application = application
-        self._looks_on = looks_on
+        self._looks_on = is_connected
         self._refused = refused
         self._open: Counter[str] = Counter()
 

@@ -19,29 +19,29 @@ from nctakt.live.texts import Texts
 from nctakt.live.view import plain_number
 from nctakt.session.session import Session
 
-Wish = TypeVar("Wish")
+Request = TypeVar("Request")
 
 #: Maximum number of commands of one browser under way; those of a person are over before the next.
 _MAX_UNDER_WAY = 8
 
 
-class Newest(Generic[Wish]):
+class Newest(Generic[Request]):
     """Executes requests one by one; of those that come meanwhile only the newest."""
 
-    def __init__(self, fulfil: Callable[[Wish], Awaitable[None]]) -> None:
+    def __init__(self, fulfil: Callable[[Request], Awaitable[None]]) -> None:
         self._fulfil = fulfil
-        self._wishes: list[Wish] = []
+        self._requests: list[Request] = []
         self._is_busy = False
 
-    async def wish(self, wish: Wish) -> None:
-        """Wish something; return once it is fulfilled, or somebody else sees to it."""
-        self._wishes = [wish]
+    async def request(self, request: Request) -> None:
+        """Make a request; return once it is fulfilled, or another call takes care of it."""
+        self._requests = [request]
         if self._is_busy:
             return
         self._is_busy = True
         try:
-            while self._wishes:
-                await self._fulfil(self._wishes.pop())
+            while self._requests:
+                await self._fulfil(self._requests.pop())
         finally:
             self._is_busy = False
 

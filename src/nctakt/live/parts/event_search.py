@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The search above the list of events: its field, its buttons, what it has found.
 
-In: a text, and what a person wishes next. Out: the matches of a page as rows; the session goes to
+In: a text, and what a person requests next. Out: the matches of a page as rows; the session goes to
 the previous or the next match.
 """
 
@@ -105,7 +105,7 @@ class SearchBar:
         self._announced.set_visibility(bool(text))
 
     def _current(self) -> Search | None:
-        """Return the search, begun anew where another branch or another run is shown."""
+        """Return the search, restarted where another branch or another run is shown."""
         search, shared = self._search, self._shared
         if search is not None and (
             search.session is not shared.session or search.branch != shared.snapshot.branch

@@ -30,7 +30,7 @@ Moment = tuple[int, int, int]
 
 
 class _GoneOnError(Exception):
-    """The session has left the place that is being explained, or somebody asks for more."""
+    """The session has left the place that is being explained, or more is asked for."""
 
 
 class Explainer:
@@ -41,7 +41,7 @@ class Explainer:
         self._report: tuple[Moment, WhyReport] | None = None
         self._widest: tuple[Moment, Session, WhyReport] | None = None
         self._lanes: tuple[WhyReport | None, str, list[dict[str, Any]]] = (None, "", [])
-        self._wish: tuple[Moment, Session] | None = None
+        self._request: tuple[Moment, Session] | None = None
         self._current: Moment | None = None
         self._questions = 0
         self._changed = threading.Condition()
@@ -49,7 +49,7 @@ class Explainer:
         self._thread = threading.Thread(target=self._work, name="nctakt why", daemon=True)
         self._thread.start()
 
-    def wish(self, moment: Moment, session: Session) -> None:
+    def request(self, moment: Moment, session: Session) -> None:
         """Explain this place once the session has been there for a moment."""
         if not 0 < moment[2] <= _MAX_TICKS:
             return
@@ -57,18 +57,18 @@ class Explainer:
             if moment == self._current:
                 return
             self._current = None
-            if self._wish is None or self._wish[0] != moment:
-                self._wish = (moment, session)
+            if self._request is None or self._request[0] != moment:
+                self._request = (moment, session)
                 self._changed.notify_all()
 
-    def forget_wish(self) -> None:
+    def forget_request(self) -> None:
         """Explain nothing: the session has gone on."""
         with self._changed:
-            self._wish = self._current = None
+            self._request = self._current = None
             self._changed.notify_all()
 
     def report(self, moment: Moment, session: Session) -> WhyReport:
-        """Return the report of this place to somebody who waits for it; raises ``Failure``.
+        """Return the report of this place to a caller who waits for it; raises ``Failure``.
 
         Explanations made without a request give way, and continue afterwards.
         """
@@ -127,36 +127,38 @@ class Explainer:
     def _work(self) -> None:
         while not self._is_closed:
             with self._changed:
-                self._changed.wait_for(lambda: self._wish is not None or self._is_closed)
-                wish = self._wish
-                is_replaced = partial(self._is_replaced, wish)
-                if wish is None or self._changed.wait_for(is_replaced, _REST_S):
+                self._changed.wait_for(lambda: self._request is not None or self._is_closed)
+                request = self._request
+                is_replaced = partial(self._is_replaced, request)
+                if request is None or self._changed.wait_for(is_replaced, _REST_S):
                     continue
-                self._wish, self._current = None, wish[0]
-            meanwhile = partial(self._check_rest, wish[0])
+                self._request, self._current = None, request[0]
+            meanwhile = partial(self._check_rest, request[0])
             try:
-                self._report_of(*wish, meanwhile)
-                self._look_on(*wish, meanwhile)
+                self._report_of(*request, meanwhile)
+                self._extend_lanes(*request, meanwhile)
             except _GoneOnError:
                 continue
             except (Failure, RuntimeError):
                 time.sleep(_REST_S)  # a click shows the reason
 
     def _check_rest(self, moment: Moment) -> None:
-        """Raise ``_GoneOnError`` if the session has gone on meanwhile, or somebody asks."""
+        """Raise ``_GoneOnError`` if the session has continued meanwhile, or a request has come."""
         if self._current != moment or self._questions or self._is_closed:
             raise _GoneOnError
 
-    def _look_on(self, moment: Moment, session: Session, meanwhile: Callable[[], None]) -> None:
+    def _extend_lanes(
+        self, moment: Moment, session: Session, meanwhile: Callable[[], None]
+    ) -> None:
         """Make the lanes exact up to the end of the branch, as far as its curves go."""
         serial, branch, _ = moment
         end = session.branches[branch]
-        if _exact_end(self._widest, moment) < end <= _MAX_TICKS and self._wish is None:
+        if _exact_end(self._widest, moment) < end <= _MAX_TICKS and self._request is None:
             self._explained((serial, branch, end), session, meanwhile)
             self._notify()
 
-    def _is_replaced(self, wish: tuple[Moment, Session] | None) -> bool:
-        return self._wish is not wish or self._is_closed
+    def _is_replaced(self, request: tuple[Moment, Session] | None) -> bool:
+        return self._request is not request or self._is_closed
 
     def close(self) -> None:
         """End the thread."""

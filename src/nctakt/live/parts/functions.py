@@ -97,8 +97,8 @@ class Functions:
         await self._commander.do(lambda session: session.acknowledge(channel, entry, PAGE))
 
     async def _choose(self, _: Any) -> None:
-        wished = {_CNC: 0, _HAND: None, _AUTOMATIC: max(1, int(self._delay.value or 1))}
-        delay = wished[str(self._mode.value)]
+        requested = {_CNC: 0, _HAND: None, _AUTOMATIC: max(1, int(self._delay.value or 1))}
+        delay = requested[str(self._mode.value)]
         self._show_delay()
         if delay == self._shared.delay:
             return

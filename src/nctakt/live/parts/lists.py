@@ -239,7 +239,7 @@ class Lists:
         ``file``: one of the PLC; then the writes of the statement in the line, and why.
         """
         self.choose("why")
-        await self._asked.wish((line, file))
+        await self._asked.request((line, file))
 
     def _renew_why(self) -> None:
         """Update the answer to the tick shown, or mark it as that of an earlier one."""
@@ -249,7 +249,7 @@ class Lists:
         subject, moment = self._why_of
         is_earlier = moment != shared.moment
         if is_earlier and shared.explainer.knows(shared.moment):
-            background_tasks.create(self._asked.wish(subject))
+            background_tasks.create(self._asked.request(subject))
         elif self._earlier.visible != is_earlier:
             self._earlier.set_visibility(is_earlier)
 

@@ -49,7 +49,7 @@ class Panel:
         self._axes: list[str] = []
         self._is_panning = False
         self._switches: dict[str, Any] = {}
-        self._wished: dict[str, tuple[bool, int]] = {}
+        self._requested: dict[str, tuple[bool, int]] = {}
         with card(self._texts["positions"], "nc-flat") as self._positions:
             pass
         self._build_positions()
@@ -154,26 +154,26 @@ class Panel:
         """Change the override by steps of 5 %."""
         name = f"{self._shared.prefix}HLI.OVERRIDE"
         now = float(self._shared.snapshot.values.get(name, 100.0))
-        wished = max(0.0, min(_MAX_OVERRIDE, now + _STEP * steps))
-        await self._commander.write(name, wished)
+        requested = max(0.0, min(_MAX_OVERRIDE, now + _STEP * steps))
+        await self._commander.write(name, requested)
 
     async def _switched(self, word: str, event: Any) -> None:
         await self._set(word, bool(event.args))
 
     async def _set(self, word: str, value: bool) -> None:
         """Set a switch; until a tick has taken it over, it shows the person's setting."""
-        self._wished[word] = (value, _PATIENCE)
+        self._requested[word] = (value, _PATIENCE)
         name = f"{self._shared.prefix}HLI.{SWITCHES[word]}"
         if not await self._commander.write(name, value):
-            self._wished.pop(word, None)
+            self._requested.pop(word, None)
 
     def _awaits(self, word: str, value: bool) -> bool:
         """Return whether a switch waits for a tick that takes over its setting."""
-        wished, looks = self._wished.get(word, (value, 0))
-        if wished == value or looks == 0:
-            self._wished.pop(word, None)
+        requested, looks = self._requested.get(word, (value, 0))
+        if requested == value or looks == 0:
+            self._requested.pop(word, None)
             return False
-        self._wished[word] = (wished, looks - 1)
+        self._requested[word] = (requested, looks - 1)
         return True
 
     def _pan(self, event: Any) -> None:

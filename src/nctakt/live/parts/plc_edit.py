@@ -168,7 +168,7 @@ class PlcEdit:
     def _check_later(self) -> None:
         """Check the text after a short pause in typing."""
         self._changes += 1
-        ui.timer(_TYPING_S, lambda change=self._changes: self._checks.wish(change), once=True)
+        ui.timer(_TYPING_S, lambda change=self._changes: self._checks.request(change), once=True)
 
     async def _check(self, change: int) -> None:
         own, typed = self._opened, self._typed

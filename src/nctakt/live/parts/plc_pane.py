@@ -20,7 +20,7 @@ from nctakt.live.parts.commander import Commander, Newest
 from nctakt.live.parts.keys import label_of
 from nctakt.live.parts.naming import explained, named
 from nctakt.live.parts.plc_edit import PlcEdit
-from nctakt.live.parts.plc_tree import PlcTree, TreeWish
+from nctakt.live.parts.plc_tree import PlcTree, TreeRequest
 from nctakt.live.plc_view import PlcText, WordPlace, file_names, statement_stop, statement_stops
 from nctakt.live.view import Snapshot
 from nctakt.session.cursor import Step
@@ -46,7 +46,7 @@ class PlcLines(Element, component="plc_lines.js"):
 
 
 @dataclass(frozen=True, slots=True)
-class _Wish:
+class _Request:
     """What values are requested for: a state of the session, rows of a file, a call or instance."""
 
     number: int
@@ -87,7 +87,7 @@ class PlcPane:
         self._shown_place: tuple[int, int] | None = None
         self._values = Newest(self._send_values)
         self._questions = Newest(self._answer)
-        self._wished: _Wish | None = None
+        self._last_request: _Request | None = None
         self._tree: PlcTree
         self.edit: PlcEdit
         self._build()
@@ -173,7 +173,7 @@ class PlcPane:
         lines: Mapping[str, Sequence[int]] = own.plc_lines
         language = self._texts.language
         self._text = PlcText(file, own.plc_texts[file], lines.get(file, ()), language)
-        self._cursor, self._instances, self._wished = 0, [], None
+        self._cursor, self._instances, self._last_request = 0, [], None
         self._lines.props["rows"] = self._text.rows()
         self._lines.props["name"] = f"{self._texts['plc_file']} {self._names[file]}"
         self._lines.props["beside"] = {}
@@ -277,7 +277,7 @@ class PlcPane:
         if marks != self._lines.props["marks"]:
             self._lines.props["marks"] = marks
             self._lines.update()
-        self._wish(snapshot)
+        self._request(snapshot)
 
     def _renew(self, serial: int) -> None:
         """Take the files of another session."""
@@ -302,36 +302,36 @@ class PlcPane:
         text = self._texts["plc_standing"].format(tick=halt.tick)
         return text if within is None else f"{text}: {within.get(self._texts.language)}"
 
-    def _wish(self, snapshot: Snapshot) -> None:
+    def _request(self, snapshot: Snapshot) -> None:
         first, last = self._rows
         instance = self._instance.value or ""
-        wish = _Wish(snapshot.number, self.file, first, last, self._level, str(instance))
-        if wish != self._wished:
-            self._wished = wish
-            ui.timer(0, lambda: self._values.wish(wish), once=True)
+        request = _Request(snapshot.number, self.file, first, last, self._level, str(instance))
+        if request != self._last_request:
+            self._last_request = request
+            ui.timer(0, lambda: self._values.request(request), once=True)
         self._show_tree(snapshot)
 
     def _show_tree(self, snapshot: Snapshot) -> None:
         """Show the variables named in the cursor's line."""
         line, paths = (0, ()) if self._text is None else self._text.named_at(self._cursor)
         instance = str(self._instance.value or "")
-        self._tree.show(TreeWish(snapshot.number, self.file, line, paths, self._level, instance))
+        self._tree.show(TreeRequest(snapshot.number, self.file, line, paths, self._level, instance))
 
-    async def _send_values(self, wish: _Wish) -> None:
+    async def _send_values(self, request: _Request) -> None:
         text = self._text
-        if text is None or text.file != wish.file:
+        if text is None or text.file != request.file:
             return
-        named_lines = text.named(wish.first, wish.last)
+        named_lines = text.named(request.first, request.last)
         try:
             values = await run.io_bound(
                 self._shared.session.texts_beside,
-                wish.file,
+                request.file,
                 named_lines,
-                wish.level,
-                wish.instance,
+                request.level,
+                request.instance,
             )
         except (Failure, RuntimeError):
-            return  # the session has ended meanwhile, or begun anew
+            return  # the session has ended meanwhile, or was restarted
         beside = {str(row): one for row, one in text.beside(named_lines, values or []).items()}
         if text is self._text and beside != self._lines.props["beside"]:
             self._lines.props["beside"] = beside
@@ -345,7 +345,7 @@ class PlcPane:
         if isinstance(rows, list) and len(rows) == 2 and all(isinstance(one, int) for one in rows):
             self._rows = rows[0], min(rows[1], rows[0] + 4 * _FIRST_ROWS)
             if self._text is not None:
-                self._wish(self._shared.snapshot)
+                self._request(self._shared.snapshot)
 
     def _put_cursor(self, event: Any) -> None:
         if isinstance(event.args, int):
@@ -363,7 +363,7 @@ class PlcPane:
         index, column = event.args
         if isinstance(index, int) and isinstance(column, int):
             words = self._text.words_at(index, column if column >= 0 else None)
-            await self._questions.wish((self._text, index, words, column < 0))
+            await self._questions.request((self._text, index, words, column < 0))
 
     async def _answer(self, asked: tuple[PlcText, int, list[WordPlace], bool]) -> None:
         text, index, words, is_by_key = asked

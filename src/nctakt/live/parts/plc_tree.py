@@ -28,7 +28,7 @@ class PlcBranches(Element, component="plc_tree.js"):
 
 
 @dataclass(frozen=True, slots=True)
-class TreeWish:
+class TreeRequest:
     """Request for a tree: a state of the session, a line of a file, a call or instance."""
 
     number: int
@@ -45,47 +45,47 @@ class PlcTree:
     def __init__(self, shared: SharedSession, texts: Texts) -> None:
         self._shared = shared
         self._opened: dict[str, dict[str, None]] = {}
-        self._wish: TreeWish | None = None
+        self._request: TreeRequest | None = None
         self._looks = Newest(self._look)
         self._branches = PlcBranches()
         self._branches.props["rows"], self._branches.props["name"] = [], texts["plc_tree"]
         self._branches.on("fold", self._fold)
 
-    def show(self, wish: TreeWish) -> None:
+    def show(self, request: TreeRequest) -> None:
         """Show the variables named in a line, if they are not shown yet."""
-        if wish != self._wish:
-            self._wish = wish
-            self._later(wish)
+        if request != self._request:
+            self._request = request
+            self._later(request)
 
     def focus(self) -> None:
         """Let the keys move in the tree."""
         self._branches.run_method("focus")
 
-    def _later(self, wish: TreeWish) -> None:
-        ui.timer(0, lambda: self._looks.wish(wish), once=True)
+    def _later(self, request: TreeRequest) -> None:
+        ui.timer(0, lambda: self._looks.request(request), once=True)
 
     def _fold(self, event: Any) -> None:
         """Expand or collapse the part below a path."""
-        if self._wish is None or not isinstance(event.args, str):
+        if self._request is None or not isinstance(event.args, str):
             return
-        opened = self._opened.setdefault(self._wish.file, {})
+        opened = self._opened.setdefault(self._request.file, {})
         if event.args in opened:
             del opened[event.args]
         elif len(opened) < _MAX_OPENED:
             opened[event.args] = None
-        self._later(self._wish)
+        self._later(self._request)
 
-    async def _look(self, wish: TreeWish) -> None:
-        opened = self._opened.get(wish.file, {})
+    async def _look(self, request: TreeRequest) -> None:
+        opened = self._opened.get(request.file, {})
         look: Callable[..., Any] = self._shared.session.tree_beside
-        line = (wish.line, wish.paths)
+        line = (request.line, request.paths)
         try:
             found = await run.io_bound(
-                look, wish.file, line, tuple(opened), wish.level, wish.instance
+                look, request.file, line, tuple(opened), request.level, request.instance
             )
         except (Failure, RuntimeError):
-            return  # the session has ended meanwhile, or begun anew
-        if wish != self._wish:
+            return  # the session has ended meanwhile, or was restarted
+        if request != self._request:
             return
         found = found or []
         rows = [

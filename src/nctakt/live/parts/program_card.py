@@ -143,7 +143,7 @@ class ProgramCard:
             )
             self._show_length()
             ui.on("nctakt_line", self._click)
-            ui.on("nctakt_lines", self._wish_lines)
+            ui.on("nctakt_lines", self._request_lines)
             ui.on("nctakt_ask", self._ask)
             ui.on("nctakt_ready", self._be_ready)
             ui.on("nctakt_uncopied", lambda _: ui.notify(texts["uncopied"], type="warning"))
@@ -236,7 +236,7 @@ class ProgramCard:
         if marks != self._marks and self._is_ready and (self.is_checked or not self.is_edited):
             self._marks = marks
             if self._is_long:
-                background_tasks.create(self._following.wish(marks))
+                background_tasks.create(self._following.request(marks))
             else:
                 self._run(f"mark({json.dumps(marks)})")
 
@@ -297,7 +297,7 @@ class ProgramCard:
             self._replace(_Change(shown, shown.text, self._value, _in_editor(shown)))
 
     def _replace(self, change: _Change) -> None:
-        """Let the editor have another text; where somebody types meanwhile, the next look does."""
+        """Give the editor another text; if the user types meanwhile, at the next look."""
         if change == self._change:
             return  # the browser has been asked
         self._change = change
@@ -330,7 +330,7 @@ class ProgramCard:
         self._choice.set_value(self._key())
         self._show_length()
         self._own()
-        background_tasks.create(self._colours.wish((1, 1)))
+        background_tasks.create(self._colours.request((1, 1)))
         self.show(self._shared.snapshot)
 
     @property
@@ -382,12 +382,12 @@ class ProgramCard:
         else:
             await self._ask_why(line)
 
-    async def _wish_lines(self, event: Any) -> None:
+    async def _request_lines(self, event: Any) -> None:
         """Send the lines that a browser has in view, with their colours."""
         words = event.args if isinstance(event.args, dict) else {}
         first, last = words.get("first"), words.get("last")
         if isinstance(first, int) and isinstance(last, int):
-            await self._colours.wish((first, last))
+            await self._colours.request((first, last))
 
     async def _send_lines(self, bounds: tuple[int, int]) -> None:
         edition, lines = self._edition, self._lines
@@ -404,7 +404,8 @@ class ProgramCard:
         edition = self._edition
         block = next((one["line"] for one in marks if one["class"] == "nc-block"), 0)
         first, shown = max(block - _AROUND, 1), None
-        if block and not (max(block - _NEAR, 1) in self._sent and block + _NEAR in self._sent):
+        sent = self._sent
+        if block and not sent.start <= max(block - _NEAR, 1) <= block + _NEAR < sent.stop:
             self._sent = range(first, block + _AROUND + 1)
             shown = await run.io_bound(self._syntax.shown, self._lines, first, block + _AROUND)
         if edition == self._edition:
@@ -422,7 +423,7 @@ class ProgramCard:
         number, line, column = (one if isinstance(one, int) else -1 for one in numbers)
         if line > 0 and column >= 0:
             cursor = TextCursor(self.document.file, self._lines, line, column)
-            await self._questions[what].wish(_Question(what, number, cursor, text))
+            await self._questions[what].request(_Question(what, number, cursor, text))
 
     async def _answer(self, asked: _Question) -> None:
         cursor, machine = asked.cursor, self.document.checker.machine
@@ -439,19 +440,19 @@ class ProgramCard:
         self._run(f"answer(...{words})")
 
     async def _find(self, _: Any) -> None:
-        """Go to the line that somebody looks for."""
-        wish = (self._sought.value or "").strip()
-        if wish:
-            await self._searches.wish(wish)
+        """Go to the line that is searched for."""
+        request = (self._sought.value or "").strip()
+        if request:
+            await self._searches.request(request)
 
-    async def _go_to(self, wish: str) -> None:
-        line = await run.io_bound(line_found, self._lines, wish, self._line)
+    async def _go_to(self, request: str) -> None:
+        line = await run.io_bound(line_found, self._lines, request, self._line)
         if line:
             self._line = line
             self._run(f"go({line})")
         else:
             with self._editor.client:
-                ui.notify(self._texts["not_found"].format(wish=wish), type="warning")
+                ui.notify(self._texts["not_found"].format(request=request), type="warning")
 
     def _show_plc(self, key: str) -> bool:
         """Show a file of the PLC in the editor's place, or not; return whether the key is one's."""
@@ -502,7 +503,7 @@ class ProgramCard:
     def _check_later(self) -> None:
         """Check the text after a short pause in typing."""
         self._typed += 1
-        ui.timer(_TYPING_S, lambda typed=self._typed: self._checks.wish(typed), once=True)
+        ui.timer(_TYPING_S, lambda typed=self._typed: self._checks.request(typed), once=True)
 
     async def _check(self, typed: int) -> None:
         if typed != self._typed:

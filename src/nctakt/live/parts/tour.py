@@ -85,7 +85,7 @@ class Tour:
         name = _STEPS[self._step]
         found: list[int | None] = []
         try:
-            is_there = await self._commander.attempt(lambda: found.append(self._bring(name)))
+            is_there = await self._commander.attempt(lambda: found.append(self._go_to_step(name)))
         finally:
             self._is_busy = False
         self._show(found[0] if is_there else None)
@@ -109,21 +109,21 @@ class Tour:
             self._show()
 
     def _line(self) -> int:
-        """Return the line of the question, 0 where somebody has taken it out."""
+        """Return the line of the question, 0 if it was removed."""
         lines = self._shared.texts.get(self._file, ())
         return next((number for number, line in enumerate(lines, 1) if _CONDITION in line), 0)
 
-    def _bring(self, name: str) -> int | None:
+    def _go_to_step(self, name: str) -> int | None:
         """Take the session to a step; return the tick of the question, ``None`` if it is lost."""
         shared, file = self._shared, self._file
         if (shared.channel, shared.file) != (1, file):
             shared.look_at(1, file)
         found: list[int | None] = []
-        shared.do(lambda session: found.append(brought(session, file, self._line(), name)))
+        shared.do(lambda session: found.append(reach_step(session, file, self._line(), name)))
         return found[0]
 
 
-def brought(session: Session, file: str, line: int, name: str) -> int | None:
+def reach_step(session: Session, file: str, line: int, name: str) -> int | None:
     """Bring a session to a step; return the tick of the question, 0 before it has come up.
 
     ``None`` without a question, or if its answer was not the one that the tour describes.

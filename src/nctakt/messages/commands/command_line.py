@@ -36,7 +36,7 @@ WAITING_AT_RUN_LIMIT = note(
     remedy_en="{freed_by}. Another limit: --until, --ticks.",
     remedy_de="{freed_by}. Eine andere Grenze: --until, --ticks.",
     awaited=("what is waited for", "worauf gewartet wird"),
-    freed_by=("what lets the program go on", "was das Programm weiterlaufen lässt"),
+    freed_by=("what lets the program continue", "was das Programm weiterlaufen lässt"),
 )
 WAITS_FOREVER = error(
     902000,
@@ -48,7 +48,7 @@ WAITS_FOREVER = error(
     cause_de="Es ist keine Grenze gesetzt; der Lauf sollte also mit seinem Programm enden.",
     limit=("the limit of runs without one", "die Grenze von Läufen ohne eigene"),
     awaited=("what is waited for", "worauf gewartet wird"),
-    freed_by=("what lets the program go on", "was das Programm weiterlaufen lässt"),
+    freed_by=("what lets the program continue", "was das Programm weiterlaufen lässt"),
 )
 LISTING_INCOMPLETE = note(
     900590,

@@ -232,7 +232,7 @@ SHARE_DOES_NOT_RUN = warning(
     902741,
     en="the files to share do not run on their own: message {number}",
     de="die Dateien zum Teilen laufen allein nicht: Meldung {number}",
-    remedy_en="Send them all the same: log and deviations are complete.",
+    remedy_en="Send them anyway: log and deviations are complete.",
     remedy_de="Sie trotzdem senden: Log und Abweichungen sind vollständig.",
     number=("the number of the message", "die Nummer der Meldung"),
 )

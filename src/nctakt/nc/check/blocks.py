@@ -148,7 +148,7 @@ class _BlockState:
 #: Findings about gear changes that are reported once per program.
 _GEAR_CHANGE = Text(
     "the spindle turns to the position of the active step, the PLC acknowledges the M function, "
-    "then the limits of the new step count and the spindle goes on as before",
+    "then the limits of the new step count and the spindle continues as before",
     "die Spindel dreht auf die Position der aktiven Stufe, die SPS quittiert die M-Funktion, dann "
     "gelten die Grenzen der neuen Stufe, und die Spindel dreht weiter wie zuvor",
 )

@@ -98,7 +98,7 @@ KEYWORDS = _rows(
     ),
     (
         "MOVE_CONT",
-        "motions of the cycle go on to their end when it ends",
+        "motions of the cycle continue to their end when it ends",
         "Bewegungen des Zyklus laufen zu Ende, wenn er endet",
         "#RT CYCLE [ID=1 END_ACTION=MOVE_CONT]",
     ),

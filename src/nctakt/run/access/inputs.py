@@ -187,7 +187,7 @@ class Inputs:
         return self._listener is None and not self._planned
 
     @property
-    def is_heard(self) -> bool:
+    def has_listener(self) -> bool:
         """Whether somebody listens."""
         return self._listener is not None
 

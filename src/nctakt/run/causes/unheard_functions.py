@@ -131,8 +131,8 @@ class UnheardFunctions:
     def _keep(self, output: _Output) -> None:
         announced = self._announced(output)
         key = f"{output.name} {output.event.span}"
-        is_heard = announced is not None and announced.tick < output.done_tick
-        if not is_heard and key not in self._noted and len(self._noted) < _MAX_NOTED:
+        has_listener = announced is not None and announced.tick < output.done_tick
+        if not has_listener and key not in self._noted and len(self._noted) < _MAX_NOTED:
             self._noted.add(key)
             self._open[key] = output
 

@@ -31,7 +31,7 @@ from nctakt.run.realtime.assembly import AssembledMachine
 if TYPE_CHECKING:
     from nctakt.run.channel_run import ChannelRun
 
-_START = Text("--at TIME {hli}START=1 goes on", "--at ZEIT {hli}START=1 setzt fort")
+_START = Text("--at TIME {hli}START=1 continues", "--at ZEIT {hli}START=1 setzt fort")
 _PLC = Text(
     "The PLC has to acknowledge it: your own Plc (--plc) with acknowledge = ALL does, so "
     "does the built-in one",

@@ -55,14 +55,14 @@ class PlcPlayer:
         inputs = self._machine.inputs
         if inputs.has_image:
             return 1  # writes of another process are noted tick by tick
-        return min(ticks, _TICKS_OF_NOTES) if inputs.is_heard else ticks
+        return min(ticks, _TICKS_OF_NOTES) if inputs.has_listener else ticks
 
     def run(self, ticks: int) -> int:
         """Run ticks as ``Kernel.run``, with the calls that nothing else comes before."""
         self._follow()
         if self._declaration is None:
             return int(self._guarded(self._kernel.run_calling, ticks, self._call, self._view))
-        self._kernel.calls.is_noting = self._machine.inputs.is_heard
+        self._kernel.calls.is_noting = self._machine.inputs.has_listener
         return self._kernel.run(ticks)
 
     def finish(self) -> None:

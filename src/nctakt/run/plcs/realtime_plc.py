@@ -54,7 +54,7 @@ class RealtimePlc(WatchedPlc):
         return ""
 
     def attach(self, machine: AssembledMachine) -> NamedValues:
-        """Begin anew on a machine, before its next tick; return its variables."""
+        """Restart on a machine, before its next tick; return its variables."""
         raise NotImplementedError
 
     def side(self) -> PlcSide:

@@ -3,7 +3,7 @@
 
 In: a realtime part between two calls of ``run``, with the record emptied. Out: ``Snapshot``, which
 restores all objects and arrays, so that the ticks from there on are the same again. Restoring takes
-a hundredth of the time needed to build the part anew.
+a hundredth of the time needed to rebuild the part.
 """
 
 from __future__ import annotations

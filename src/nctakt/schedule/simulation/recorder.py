@@ -32,7 +32,7 @@ class Recorder:
         self.is_open = True
         self._numbers = dict(enumerate(jobs))
 
-    def carry(self, task: int, due: int, times: tuple[int, ...], done: int) -> None:
+    def add_carried_job(self, task: int, due: int, times: tuple[int, ...], done: int) -> None:
         """Record a job of ``task`` begun before the record; ``done``: its work before, in ns."""
         self._jobs.append(Job(task, self._take_number(task), due, times, done))
 

@@ -47,10 +47,10 @@ def simulate(
     hyperperiod. ``repeat``: count repetitions instead of simulating them, where that is exact.
     """
     assert cycles > 0
-    wished = hyperperiod(model) if record is None else record
-    if isinstance(wished, int):
-        wished = range(wished)
-    recorded = wished[: max(0, cycles - wished.start)]
+    requested = hyperperiod(model) if record is None else record
+    if isinstance(requested, int):
+        requested = range(requested)
+    recorded = requested[: max(0, cycles - requested.start)]
     state = SchedulerState(model, Recorder(recorded))
     search = Repetition() if repeat and state.can_repeat else None
     start = begin = state.interrupt(0)
@@ -172,7 +172,7 @@ class SchedulerState:
             if left != IDLE:
                 times = self._work[i].times
                 done = sum(times) + self.model.overheads.activation - left
-                self.recorder.carry(i, self._due[i], times, done)
+                self.recorder.add_carried_job(i, self._due[i], times, done)
 
     def end_record(self, now: int) -> None:
         """End the record at ``now``."""

@@ -98,7 +98,7 @@ class Access:
         viewed = [name for name in names if name.startswith(STATE_VIEW)]
         try:
             if viewed:
-                return await self._glance([*names], read)
+                return await self._view_once([*names], read)
             if store.can_borrow(names):
                 await store.subscribe(names, is_borrowing=True)
                 return read()
@@ -112,7 +112,7 @@ class Access:
         finally:
             self._once = None
 
-    async def _glance(self, names: Sequence[str], read: Callable[[], _T]) -> _T:
+    async def _view_once(self, names: Sequence[str], read: Callable[[], _T]) -> _T:
         """Return a reader of values without a signal, and of others, all of the same tick."""
         signals = [name for name in names if not name.startswith(STATE_VIEW)]
         state_view = await self._host.ask(self._host.session.state_view, *signals)
@@ -231,7 +231,7 @@ class Access:
             symbol = client.symbol(offset)
             group, offset = symbol.group, symbol.offset
         if self.symbols.has_group(group):
-            data = self.symbols.filled_up(group, offset, data)
+            data = self.symbols.padded(group, offset, data)
         if self.objects.has_group(group):  # each knows which lengths it takes
             return self.objects.item(group, offset, len(data)).write(data)
         return self.resolve(client, group, offset, len(data)).write(data)

@@ -189,7 +189,7 @@ class PlcSymbols:
             raise AdsError(Error.OFFSET, f"no symbol at {group:#x}, {offset:#x}")
         return min(longer, key=operator.itemgetter(0))[1]
 
-    def filled_up(self, group: int, offset: int, data: bytes) -> bytes:
+    def padded(self, group: int, offset: int, data: bytes) -> bytes:
         """Return data for a text with zero bytes up to its end; other data unchanged."""
         return data.ljust(self._texts.get((group, offset), 0), b"\0")
 

@@ -233,10 +233,10 @@ class SymbolTable:
             raise AdsError(Error.SYMBOL, f"no type {name[:64]}")
         return found
 
-    def filled_up(self, group: int, offset: int, data: bytes) -> bytes:
+    def padded(self, group: int, offset: int, data: bytes) -> bytes:
         """Return data for a text with zero bytes up to its end; other data unchanged."""
         if group not in self._starts:
-            return self.plc.filled_up(group, offset, data)
+            return self.plc.padded(group, offset, data)
         index = bisect.bisect_left(self._starts[group], offset)
         leaves = self._leaves[group]
         if index < len(leaves) and leaves[index].offset == offset:

@@ -25,7 +25,7 @@ from nctakt.servers.opcua.values import Live, Sample, ValueSnapshot
 from nctakt.session.listening import Frame
 
 #: Maximum age of the data about realtime cycles and channels, in seconds.
-_GLANCE_AGE_S = 0.02
+_VIEW_AGE_S = 0.02
 
 #: Ticks whose blocks are remembered: frames that come during a request to the session.
 _REMEMBERED = 1000
@@ -44,8 +44,8 @@ class LiveSpace:
         self._host = host
         self._watched: dict[int, tuple[Live, int]] = {}
         self._latest = ValueSnapshot(0, {}, {})
-        self._glanced = ValueSnapshot(0, {}, {})
-        self._glance_s = -1.0
+        self._viewed = ValueSnapshot(0, {}, {})
+        self._viewed_s = -1.0
         self._blocks: deque[tuple[int, Mapping[int, Span]]] = deque(maxlen=_REMEMBERED)
         host.store.listen(self._remember)
         self._asking: asyncio.Task[None] | None = None
@@ -108,33 +108,33 @@ class LiveSpace:
         It is the latest; if cycles and channels are needed, that of their latest request.
         """
         store = self._host.store
-        if not any(live.needs_glance for live in lives):
+        if not any(live.needs_state_view for live in lives):
             if store.values is not self._latest.values or store.tick != self._latest.tick:
                 blocks = {} if store.frame is None else store.frame.blocks
                 self._latest = ValueSnapshot(store.tick, store.values, blocks)
             return self._latest
         loop = asyncio.get_running_loop()
         for _ in range(2):  # the second time for nodes that were not yet watched the first time
-            is_fresh = loop.time() - self._glance_s < _GLANCE_AGE_S
-            values = self._glanced.values
+            is_fresh = loop.time() - self._viewed_s < _VIEW_AGE_S
+            values = self._viewed.values
             if is_fresh and all(name in values for live in lives for name in live.names):
                 break
             if self._asking is None:
-                self._asking = loop.create_task(self._ask_glance())
+                self._asking = loop.create_task(self._request_view())
             await asyncio.shield(self._asking)
-        return self._glanced
+        return self._viewed
 
-    async def _ask_glance(self) -> None:
+    async def _request_view(self) -> None:
         names = dict.fromkeys(name for live, _ in self._watched.values() for name in live.names)
         try:
-            self._glanced = await self._glance(names)
+            self._viewed = await self._view_once(names)
         except Failure:
             return  # the session has ended; the last values stay
         finally:
             self._asking = None
-        self._glance_s = asyncio.get_running_loop().time()
+        self._viewed_s = asyncio.get_running_loop().time()
 
-    async def _glance(self, names: Iterable[str]) -> ValueSnapshot:
+    async def _view_once(self, names: Iterable[str]) -> ValueSnapshot:
         """Ask the session for a moment with cycles and channels; raises ``Failure``."""
         asked_for = list(names)
         state_view = await self._host.ask(self._host.session.state_view, *asked_for)
@@ -155,10 +155,10 @@ class LiveSpace:
     async def read(self, lives: Sequence[Live]) -> ValueSnapshot:
         """Return the moment at which to read these nodes, all of the same tick."""
         names = dict.fromkeys(name for live in lives for name in live.names)
-        needs_glance = any(live.needs_glance for live in lives)
+        needs_state_view = any(live.needs_state_view for live in lives)
         try:
-            if needs_glance or not self._host.store.has(names):
-                return await self._glance(names)
+            if needs_state_view or not self._host.store.has(names):
+                return await self._view_once(names)
         except Failure:
             pass  # the session has ended; what was seen last stays
         return await self.refresh(lives)

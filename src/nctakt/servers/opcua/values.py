@@ -106,7 +106,7 @@ class Live:
     read: Callable[[ValueSnapshot], Value]
     names: tuple[str, ...] = ()
     is_array: bool = False
-    needs_glance: bool = False
+    needs_state_view: bool = False
     write_name: str = ""
     to_session: Callable[[Value], Scalar] | None = None
     signal: str = ""

@@ -227,7 +227,7 @@ class Timeline:
         if self._confirmed.is_proved(tick):
             return
         if following.end > tick:
-            asked = _asked([following], _near_ahead(branch, tick, following.tick))
+            asked = _asked([following], _likely_steps(branch, tick, following.tick))
             scout = engine.copy()
             try:
                 done = scout.run(following.end, events=False, marks=asked, since=tick)
@@ -328,7 +328,7 @@ class Timeline:
                 self._park()  # whatever holds a file open shows now
         before_us, copies = self.branch.work_at(self.tick), self._pool.copies
         self._confirmed.enter(target.number)
-        engine = self._on_the_way(target, tick)
+        engine = self._controller_before(target, tick)
         begin_us = target.work_at(engine.tick)
         try:
             done = self._approach(engine, target, tick)
@@ -373,7 +373,7 @@ class Timeline:
             raise Failure(diagnostic(NO_SUCH_BRANCH, branch=number, count=len(self.branches)))
         return self.branches[number - 1]
 
-    def _on_the_way(self, target: Branch, tick: int) -> RemoteEngine:
+    def _controller_before(self, target: Branch, tick: int) -> RemoteEngine:
         """Return a controller before a tick of a branch, as near to it as possible."""
         self._refuse_without_past()
         nearest = self._parked.nearest(target, tick)
@@ -721,7 +721,7 @@ class Timeline:
         return self.branch.number, end, kept
 
     def restart_schedule(self) -> None:
-        """Let a real schedule begin anew after a pause."""
+        """Restart a real schedule after a pause."""
         if self._setup.rtconf is not None:
             self.live.ask("schedule", RESTART)
 
@@ -752,7 +752,7 @@ def _asked(marks: Sequence[PastMark], near: Sequence[int]) -> list[int]:
     return sorted({*ticks_of(marks), *near})
 
 
-def _near_ahead(branch: Branch, tick: int, end: int) -> list[int]:
+def _likely_steps(branch: Branch, tick: int, end: int) -> list[int]:
     """Return the ticks before ``end`` to which somebody is likely to step from a tick."""
     blocks = branch.ticks_between(BLOCKS, tick - 1, end - 1)[:NEAR_TICKS]
     return [*(one + 1 for one in blocks), *range(tick + 1, min(tick + 1 + NEAR_TICKS, end))]

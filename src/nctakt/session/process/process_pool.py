@@ -248,7 +248,7 @@ class ProcessPool:
         """Return a new process for a controller, which does its imports."""
         name = self.next_name()
         address = self._listener.address
-        with interrupts.kept_back():
+        with interrupts.blocked_for_children():
             process = subprocess.Popen(
                 python_command("nctakt.session.process.worker", str(address), name),
                 stdin=subprocess.PIPE,

@@ -71,7 +71,7 @@ class PlanCoordinates:
         return tuple(_value(dimension, number, size) for dimension, number, size in parts)
 
     def number(self, coordinates: Coordinates) -> int | None:
-        """Return the number of the run with these coordinates; ``None`` for points by chance."""
+        """Return the number of the run with these coordinates; ``None`` for random points."""
         if self._plan.method not in ("grid", "list"):
             return None
         number = 0

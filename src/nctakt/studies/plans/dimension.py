@@ -123,7 +123,7 @@ class Dimension:
         if count:
             return self.value(min(int(share * count), count - 1))
         value = self.low + share * (self.high - self.low)
-        if self.is_time:  # drawn by chance, or halved
+        if self.is_time:  # drawn at random, or halved
             return self._tick_at(value)
         return self._whole(value)
 

@@ -26,7 +26,7 @@ from nctakt.studies.measuring.python_measure import PythonMeasure
 from nctakt.studies.plans.dimension import Dimension, Value, chance
 from nctakt.studies.plans.distribution import Samples
 
-#: How points are chosen: each with each, by chance, or spread evenly.
+#: How points are chosen: each with each, at random, or spread evenly.
 Method = Literal["grid", "list", "random", "latin", "sobol"]
 METHODS: tuple[Method, ...] = ("grid", "list", "random", "latin", "sobol")
 #: The methods whose points are made as a whole, and the maximum number of points.

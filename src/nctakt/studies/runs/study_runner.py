@@ -407,7 +407,7 @@ class StudyRunner:
 
     @property
     def _has_structured(self) -> bool:
-        """Whether a PLC in Structured Text runs, which begins anew with each run."""
+        """Whether a PLC in Structured Text runs, which restarts with each run."""
         return any(map(is_structured, self.plan.plcs))
 
 

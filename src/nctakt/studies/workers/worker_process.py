@@ -61,7 +61,7 @@ class WorkerProcess:
         answers, answered = os.pipe()
         sys.stdout.flush()
         sys.stderr.flush()
-        with interrupts.kept_back(), warnings.catch_warnings():
+        with interrupts.blocked_for_children(), warnings.catch_warnings():
             warnings.simplefilter(
                 "ignore", DeprecationWarning
             )  # threads of numpy, which it has not
@@ -97,7 +97,7 @@ class WorkerProcess:
         """
         for _ in range(MAX_STARTS):
             try:
-                with interrupts.kept_back():
+                with interrupts.blocked_for_children():
                     process = subprocess.Popen(
                         python_command("nctakt.studies.workers.worker"),
                         stdin=subprocess.PIPE,

@@ -2,7 +2,7 @@
 """Functions whose axis words are not targets but values: G74, G98, G99, G101, G102.
 
 Of G74, homing: an axis moves to its zero pulse and has the position of its list there
-(P-AXIS-00152); then it brakes. V.A.REF and V.A.RERF keep that until the controller starts anew.
+(P-AXIS-00152); then it brakes. V.A.REF and V.A.RERF keep that until the controller restarts.
 """
 
 from __future__ import annotations

@@ -18,7 +18,9 @@ def check_words(values: Values, words: Iterable[tree.AxisWord | tree.BracketComm
         _fail_if_slave(values, slot, word.span)
 
 
-def check_way(values: Values, start: Sequence[float], target: Sequence[float], span: Span) -> None:
+def check_travel(
+    values: Values, start: Sequence[float], target: Sequence[float], span: Span
+) -> None:
     """Raise ``DecodeError`` if a block moves a slave, however it got into the block."""
     for pair in values.state.couplings.of_axes:
         if start[pair.slave] != target[pair.slave]:

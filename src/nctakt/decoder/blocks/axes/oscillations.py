@@ -175,8 +175,8 @@ class Oscillations:
         period_s = values["TIME"] if "TIME" in values else 1.0 / values["FREQ"]
         start = self._environment.parameters.program_start
         acceleration = acceleration_alone(axis, start.slope_profile != 0)
-        way_s = (period_s - paused_s) / 2.0
-        gained = acceleration * max(way_s, 0.0)
+        travel_s = (period_s - paused_s) / 2.0
+        gained = acceleration * max(travel_s, 0.0)
         under = gained * gained - 4.0 * acceleration * stroke
         speed = (gained - math.sqrt(under)) / 2.0 if under >= 0.0 else math.inf
         if speed <= axis.max_speed:

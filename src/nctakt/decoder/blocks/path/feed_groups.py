@@ -76,19 +76,21 @@ class FeedGroups:
             return 1.0
         plane = () if arc is None else (arc.first, arc.second)
         turn = 0.0 if arc is None else arc.length(start)
-        ways = [abs(end - begin) for begin, end in zip(start, target, strict=True)]
+        travels = [abs(end - begin) for begin, end in zip(start, target, strict=True)]
         for index in plane:
-            ways[index] = turn
+            travels[index] = turn
         if group.rotary >= 0:
-            ways[group.rotary] *= math.radians(1.0) * group.radius
+            travels[group.rotary] *= math.radians(1.0) * group.radius
         counted = (
-            self._length_of_weakest(ways, group)
+            self._length_of_weakest(travels, group)
             if group.is_weakest
-            else self._length_of_group(ways, group, arc)
+            else self._length_of_group(travels, group, arc)
         )
         return length / counted if counted > _SHORTEST else 1.0
 
-    def _length_of_group(self, ways: Sequence[float], group: FeedGroup, arc: Arc | None) -> float:
+    def _length_of_group(
+        self, travels: Sequence[float], group: FeedGroup, arc: Arc | None
+    ) -> float:
         """Return the length of the group's path; an arc counts once, with the larger factor."""
         axes = dict(group.axes or self._linear())
         if group.rotary >= 0:
@@ -98,17 +100,17 @@ class FeedGroups:
             axes[arc.first] = factor
             del axes[arc.second]
         return arithmetic.square_root(
-            sum((ways[index] * factor) ** 2 for index, factor in axes.items())
+            sum((travels[index] * factor) ** 2 for index, factor in axes.items())
         )
 
-    def _length_of_weakest(self, ways: Sequence[float], group: FeedGroup) -> float:
+    def _length_of_weakest(self, travels: Sequence[float], group: FeedGroup) -> float:
         """Return the distance of the axis that takes longest for it at its highest speed."""
         longest = (0.0, 0.0)
         for index, axis in enumerate(self._environment.axes):
             speed = axis.max_speed
             if index == group.rotary:
                 speed *= math.radians(1.0) * group.radius
-            longest = max(longest, (ways[index] / speed, ways[index]))
+            longest = max(longest, (travels[index] / speed, travels[index]))
         return longest[1]
 
     def _radius(

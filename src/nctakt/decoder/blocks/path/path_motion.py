@@ -172,7 +172,7 @@ class PathMotion:
             pieces = tilted_motions.cubics_of(start, target, arc.row, turn)
             self.check_curve(pieces, span, message=ARC_OUTSIDE_LIMITS)
         elif transformation.is_active:
-            self.check_way(start, target, arc, span)
+            self.check_travel(start, target, arc, span)
         elif arc is not None:
             self.check_extremes(arc, start, span)
         is_exempt = NO_OVERRIDE in words.once
@@ -323,13 +323,13 @@ class PathMotion:
             start, target = turned_out(turn, start), turned_out(turn, target)
             axes = range(len(target))
         if self._environment.offsets.transformation.is_active:
-            self.check_way(start, target, arc, span)
+            self.check_travel(start, target, arc, span)
             return
         if arc is not None:
             self.check_extremes(arc, start, span)
         self.check_limits(target, axes, span)
 
-    def check_way(
+    def check_travel(
         self, start: list[float], target: list[float], arc: Arc | None, span: Span
     ) -> None:
         """Raise ``DecodeError`` if an axis cannot follow a transformed block within its limits."""
@@ -381,7 +381,7 @@ class PathMotion:
                 cubics.point(piece, number / LIMIT_LINES) for number in range(LIMIT_LINES + 1)
             ]
             for start, target in pairwise(points):
-                self.check_way(list(start), list(target), None, span)
+                self.check_travel(list(start), list(target), None, span)
         if near is not None:
             axis_check.start_at(axes_at_end)
 

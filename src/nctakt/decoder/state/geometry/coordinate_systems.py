@@ -57,7 +57,7 @@ class LowerOffsets:
     """The offsets of the coordinates below a system, by axis and kind, in mm or degrees.
 
     ``shift``: their sum by axis without the tool's. ``axis_count``: only those of this many
-    axes, counted from the first, begin anew in the system (P-CHAN-00397).
+    axes, counted from the first, start again in the system (P-CHAN-00397).
     """
 
     values: SavedOffsets

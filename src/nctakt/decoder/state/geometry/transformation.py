@@ -3,7 +3,7 @@
 
 While a transformation is active the decoder's positions are those of the tool's tip in the machine
 (MCS) and of the rotary axes; offsets and coordinate systems act on them. Switching moves no axis:
-the positions are computed anew from those of the axes, by the maps that the ticks use, to the bit.
+the positions are recomputed from those of the axes, by the maps that the ticks use, to the bit.
 Under ``#PTP`` the positions stay the same, and motions are those of the axes.
 
 Out: ``SetTransformation`` commands, positions, and the first axis that leaves its software limits
@@ -18,7 +18,7 @@ from nctakt.decoder.kinematics import rotating_planes
 from nctakt.decoder.kinematics.chain import ORIGIN, Chain, Joint, map_values
 from nctakt.decoder.kinematics.rotating_planes import RotatingPlane
 from nctakt.decoder.kinematics.selection import ChannelAxes, ChannelKinematics
-from nctakt.decoder.kinematics.transformed_way import TransformedWay
+from nctakt.decoder.kinematics.transformed_travel import TransformedTravel
 from nctakt.decoder.state.queued.commands import Command, SetTransformation
 from nctakt.kernel.axes.transformations import Transformations
 from nctakt.kernel.base.arrays import doubles
@@ -64,7 +64,7 @@ class ActiveTransformation:
         self._present = doubles(count)
         self._result = doubles(count)
         self._standing: tuple[list[float], list[float]] = ([], [])
-        self.axis_check = TransformedWay(len(self._axes), self._transformations)
+        self.axis_check = TransformedTravel(len(self._axes), self._transformations)
         for slot, (low, high) in enumerate(axes.limits):
             self.axis_check.limit(slot, low, high)
 

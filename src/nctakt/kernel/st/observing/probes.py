@@ -36,7 +36,7 @@ class StatementCounter:
         self.depths = integers(KEPT)
 
     def begin(self, halt_at: int) -> None:
-        """Count anew; halt before a statement by its number, 0: before none."""
+        """Restart counting; halt before a statement by its number, 0: before none."""
         check_range(halt_at, 0, 1 << 60, "number of a statement")
         self.passed = 0
         self.halt_at = halt_at
@@ -68,7 +68,7 @@ class Sought:
         self.last = 0
 
     def within(self, after: int, before: int) -> None:
-        """Look anew, between two statements by their numbers."""
+        """Look again, between two statements by their numbers."""
         self.after = after
         self.before = before
         self.first = 0

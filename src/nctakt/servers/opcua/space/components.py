@@ -38,7 +38,7 @@ class Shown:
 
     read: Reader
     names: tuple[str, ...] = ()
-    needs_glance: bool = False
+    needs_state_view: bool = False
     unit: str = ""
     low: float = 0.0
     high: float = 0.0
@@ -416,7 +416,7 @@ def _written(shown: Shown) -> Shown:
     return Shown(
         shown.read,
         shown.names,
-        shown.needs_glance,
+        shown.needs_state_view,
         shown.unit,
         shown.low,
         shown.high,

@@ -103,7 +103,7 @@ class CycleSpace:
             ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
         )
         self._nodes.refer(self._machine.id(path), refs.HAS_COMPONENT, node)
-        self._live.add(node, Live(kind, read, needs_glance=True))
+        self._live.add(node, Live(kind, read, needs_state_view=True))
 
 
 def _find(key: Key, moment: ValueSnapshot) -> CycleState | None:

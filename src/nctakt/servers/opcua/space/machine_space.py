@@ -229,7 +229,7 @@ class MachineSpace:
             own.read,
             own.names,
             bool(component.dimensions),
-            own.needs_glance,
+            own.needs_state_view,
             write_name=own.write_name,
             to_session=bool_to_number if kind == ua.VariantType.Boolean else None,
             signal=own.signal,

@@ -335,7 +335,7 @@ class MachineToolSpace:
                 kind,
                 own.read,
                 own.names,
-                needs_glance=own.needs_glance,
+                needs_state_view=own.needs_state_view,
                 range=(own.low, own.high) if has_unit else None,
             )
             name = self._types.name(component.name, is_standard=component.is_standard)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# C types of transformed_way.py.
+# C types of transformed_travel.py.
 cimport cython
 from nctakt.kernel cimport rows
 from nctakt.kernel.axes.transformations cimport Transformations
@@ -13,7 +13,7 @@ cdef double BEGIN
 cdef double BEGIN_JUMP
 
 @cython.final
-cdef class TransformedWay:
+cdef class TransformedTravel:
     cdef Py_ssize_t count
     cdef Transformations transformations
     cdef public Py_ssize_t number

@@ -27,7 +27,7 @@ BEGIN_JUMP = 0.001
 BEGIN = 1e-9
 
 
-class TransformedWay:
+class TransformedTravel:
     """The limits of one channel's axes; ``number``: the map; ``position``: the last result.
 
     ``obstacle``: ``map_rows.AXIS_OUTSIDE`` …, the last result.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The memory that Python, the scheduler and the workers share, as ``processes.h`` has it.
+"""The memory that Python, the scheduler and the workers share, as ``shared_area.h`` has it.
 
 In: ``Plan``. Out: ``SharedArea``: anonymous memory, which cannot be left over. Times are ns since
 its ``origin``, a time of CLOCK_MONOTONIC that the scheduler chooses.

@@ -6,7 +6,7 @@
  * and removes all that was created for it.
  */
 #define _GNU_SOURCE
-#include "processes.h"
+#include "shared_area.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -6,7 +6,7 @@
  * The thread itself notices when it had the processor: where its clock jumps, something else ran.
  */
 #define _GNU_SOURCE
-#include "processes.h"
+#include "shared_area.h"
 
 #include <errno.h>
 #include <sched.h>

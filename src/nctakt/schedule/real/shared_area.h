@@ -4,8 +4,8 @@
  * Times are ns since `origin`, a time of CLOCK_MONOTONIC; offsets are bytes from the
  * start of the area. Each log has one writer. Fields used by several processes are atomic.
  */
-#ifndef NCTAKT_PROCESSES_H
-#define NCTAKT_PROCESSES_H
+#ifndef NCTAKT_SHARED_AREA_H
+#define NCTAKT_SHARED_AREA_H
 
 #include <semaphore.h>
 #include <stdatomic.h>

@@ -24,6 +24,8 @@ from nctakt.cli import main
         ("run p.nc --qqqq", "error 900907: unknown option --qqqq", "nctakt run --help"),
         ("run p.nc --ticks", "error 900911: the value after --ticks is missing", "--help"),
         ("rum p.nc", "error 900912: unknown command rum", "Did you mean run?"),
+        ("ru p.nc", "error 900912: unknown command ru", "Did you mean run?"),
+        ("run p.nc --helpp", "error 900907: unknown option --helpp", "Did you mean --help?"),
         (
             "check a --format xml",
             "error 900908: xml is not a valid value for --format",

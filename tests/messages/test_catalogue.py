@@ -112,7 +112,7 @@ def test_the_controllers_number_leads() -> None:
     (label,) = messages_of(900126)
     assert (label.id, label.known_as[0]) == (20840, 900126)
     assert label in messages_of(20840)
-    found = diagnostic(label, label="N20", nearest="N10")
+    found = diagnostic(label, label="N20", nearest="N10", form="N20:")
     assert (found.id, found.also[0]) == (20840, 900126)
 
 

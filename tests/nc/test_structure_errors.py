@@ -78,3 +78,13 @@ def test_a_structure_before_the_first_case_is_reported(machine: AssembledMachine
     """It would not run: between ``$SWITCH`` and ``$CASE`` nothing is allowed (grammar.txt)."""
     text = "P1 = 1\n$SWITCH P1\n$IF P1 > 3\nX1\n$ENDIF\nX2\n$CASE 1\nX3\n$ENDSWITCH\n"
     assert [item[:30] for item in findings(text, machine)] == ["there must be no statement bet"]
+
+
+def test_a_missing_label_is_shown_as_it_would_be_written(machine: AssembledMachine) -> None:
+    """20840: the number of a block with a colon, any other name in brackets."""
+    text = "%MAIN\n$GOTO N77\n$GOTO [HEER]\n[HERE] X1\nM30\n"
+    found = check_files([NcText("part.nc", text)], machine).findings
+    assert [item.diagnostic.remedy() for item in found] == [
+        "Write N77: before a block of the same program.",
+        "Did you mean HERE? Write [HEER] before a block of the same program.",
+    ]

@@ -419,6 +419,8 @@ def test_inputs_by_address_and_items_of_enumerations(tmp_path: Path) -> None:
     for name, value in (("%IB4", "E_Gate.Opn"), ("%IB4", "E_Door.Open"), ("%IX0.3", "Open")):
         with pytest.raises(Failure, match="902262"):
             plc.check(name, value)
+    with pytest.raises(Failure, match=r"Did you mean E_Gate\.Open\?"):
+        plc.check("%IB4", "E_Gate.Opn")
     assert not plc.knows("%IX0.4")
 
 
@@ -581,6 +583,9 @@ def test_expectations_name_items_of_enumerations(tmp_path: Path) -> None:
     assert "+ MAIN.eGate = E_Gate.Open" in first
     assert "902631" in second
     assert "E_Gate.Closed, E_Gate.Opening, E_Gate.Open" in second
+    for item in ("E_Gate.Opning", "Opning"):
+        (third,) = differences(run, [read_expectation(f"MAIN.eGate = {item}")], "part.nc")
+        assert "Did you mean E_Gate.Opening?" in third
 
 
 def test_the_project_file_names_axes(tmp_path: Path) -> None:

@@ -55,6 +55,18 @@ def test_show(folder: Path, capsys: Capture) -> None:
     assert len(out) == 2 + 6 + 4 * 9 + 2
 
 
+@pytest.mark.parametrize("command", ["show", "simulate", "analyse"])
+def test_a_program_is_no_list(tmp_path: Path, capsys: Capture, command: str) -> None:
+    """It would have an error in each of its lines; a newcomer means the run of the program."""
+    program = tmp_path / "part.nc"
+    program.write_text("G01 X10 F600\nM30\n", "utf-8")
+    assert run(command, program) == 2
+    reported = capsys.readouterr().err
+    assert "902983" in reported
+    assert "nctakt run" in reported
+    assert "900008" not in reported
+
+
 def test_show_corrected_values(folder: Path, capsys: Capture) -> None:
     """Corrected and defaulted values name their diagnostic; errors in the list are exit code 2."""
     text = EXAMPLE_1.replace("cycle_time 2000", "cycle_time 1750").replace(

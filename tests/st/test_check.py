@@ -214,6 +214,16 @@ END_PROGRAM
     assert (found[1].remedy(), found[2].remedy()) == ("Write E_A.Ten.", "Did you mean High?")
 
 
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [("UDNT", "UDINT"), ("DNIT", "DINT"), ("Boole", "BOOL"), ("STRNG", "STRING")],
+)
+def test_a_misspelt_elementary_type_is_named(written: str, meant: str) -> None:
+    """C0077: these names are known as much as those of the project."""
+    _, (found,) = check(f"PROGRAM MAIN\nVAR\n  n : {written};\nEND_VAR\nEND_PROGRAM")
+    assert (found.id, found.remedy()) == (902191, f"Did you mean {meant}?")
+
+
 def test_names_in_several_lists_are_ambiguous() -> None:
     """ST-203: C0136 with both lists; qualified they are not."""
     gvl = '<TcPlcObject><GVL Name="{}"><Declaration><![CDATA[VAR_GLOBAL n : INT; END_VAR]]></Declaration></GVL></TcPlcObject>'  # fmt: skip # noqa: E501

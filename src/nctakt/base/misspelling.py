@@ -46,6 +46,16 @@ def nearest(name: str, names: Iterable[str]) -> str:
     return best if is_only else ""
 
 
+def nearest_item(item: str, labels: Iterable[str]) -> str:
+    """Return the label ``TYPE.ITEM`` probably meant by an item with or without its type."""
+    known = list(labels)
+    label = nearest(item, known)
+    if label or "." in item:
+        return label
+    name = nearest(item, (one.rpartition(".")[2] for one in known))
+    return next((one for one in known if one.rpartition(".")[2] == name), "")
+
+
 def resembles(name: str, names: Iterable[str]) -> bool:
     """Return whether ``name`` may mean one or several of the known names."""
     return any(_rank(name.casefold(), known.casefold()) is not None for known in names)

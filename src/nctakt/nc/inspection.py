@@ -15,6 +15,7 @@ check is decided by their shape (``shape_checks.py``).
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from typing import Protocol
@@ -50,6 +51,8 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary.functions import ENDS, PROGRAM_ENDS
 from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
+#: A label that is the number of a block; any other is a name in brackets.
+_BLOCK_NUMBER = re.compile(r"N\d+")
 #: Lines between two calls of ``poll``.
 LINES_PER_POLL = 10_000
 
@@ -429,7 +432,8 @@ class Inspection:
                     self._report(JUMP_INTO_LOOP, span, label=label)
                 elif label not in labels.lines:
                     near = nearest(label, labels.lines) or NOTHING
-                    self._report(UNKNOWN_LABEL, span, label=label, nearest=near)
+                    form = f"{label}:" if _BLOCK_NUMBER.fullmatch(label) else f"[{label}]"
+                    self._report(UNKNOWN_LABEL, span, label=label, nearest=near, form=form)
         self._checker.targets = {}
 
     def finish(self) -> list[Diagnostic]:

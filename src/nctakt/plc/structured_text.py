@@ -15,8 +15,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
+from nctakt.base.misspelling import nearest_item
 from nctakt.base.mode import is_compiled
 from nctakt.files.access import FileAccess
 from nctakt.hli.table import SINGLE_ROOTS
@@ -669,7 +670,7 @@ class StructuredPlc(RealtimePlc):
         if variable.is_constant:
             raise Failure(diagnostic(CONSTANT_FROM_OUTSIDE, name=name))
         sought, kind = variable.type, kind_of(variable.type)
-        refused = diagnostic(PLC_VALUE_REFUSED, name=name, type=sought.name, value=value)
+        refused = _refused(name, sought, value)
         if isinstance(sought, StringType) and isinstance(value, str):
             try:
                 data = value.encode("utf-16-le" if sought.is_wide else "latin-1")
@@ -680,7 +681,7 @@ class StructuredPlc(RealtimePlc):
                 raise Failure(refused)
             return data + bytes(unit)
         if isinstance(sought, EnumType) and isinstance(value, str) and "#" not in value:
-            value = _enumeration_value(sought, value, refused)
+            value = _enumeration_value(sought, value, name)
         elif isinstance(value, str):
             value = self._literal(sought, value, refused)
         if kind is None or isinstance(value, str) or variable.bit >= 0:
@@ -759,12 +760,19 @@ def _labels(sought: Type) -> tuple[tuple[int, str], ...]:
     return tuple(found.items())
 
 
-def _enumeration_value(sought: EnumType, text: str, refused: Diagnostic) -> int:
+def _refused(name: str, sought: Type, value: object, near: str = "") -> Diagnostic:
+    """Return the diagnostic of a value that a variable cannot hold; ``near``: what is meant."""
+    values = {"name": name, "type": sought.name, "value": value, "nearest": near or NOTHING}
+    return diagnostic(PLC_VALUE_REFUSED, **values)
+
+
+def _enumeration_value(sought: EnumType, text: str, variable: str) -> int:
     """Return the number of an enumeration's item, with or without the type before its name."""
     kind, _, name = text.lower().rpartition(".")
     found = sought.values.get(name)
     if found is None or kind not in ("", sought.name.lower()):
-        raise Failure(refused)
+        near = nearest_item(text, dict(_labels(sought)).values())
+        raise Failure(_refused(variable, sought, text, near))
     return found.number
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Severity, Text
 from nctakt.base.failure import Failure
+from nctakt.base.misspelling import nearest_item
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.command_line import RUN_NOT_ENDED
@@ -97,7 +98,10 @@ def _expected_number(run: NcRun, expectation: Expectation) -> float:
         if item in (label.lower(), label.lower().rpartition(".")[2]):
             return number
     known = ", ".join(labels.values()) or NOTHING
-    raise Failure(diagnostic(UNKNOWN_ITEM, name=name, item=expectation.item, known=known))
+    near = nearest_item(expectation.item, labels.values()) or NOTHING
+    raise Failure(
+        diagnostic(UNKNOWN_ITEM, name=name, item=expectation.item, known=known, nearest=near)
+    )
 
 
 def _value_time(run: NcRun, expectation: Expectation) -> Time:

@@ -75,9 +75,15 @@ def _of_command(error: click.UsageError, context: click.Context | None, help_of:
     written = error.message.split("'")
     if isinstance(command, click.Group) and context is not None and len(written) == 3:
         names = command.list_commands(context)
-        near = nearest(written[1], names) or NOTHING
+        near = nearest(written[1], names) or _begun(written[1], names) or NOTHING
         return diagnostic(UNKNOWN_SUBCOMMAND, word=written[1], nearest=near, names=", ".join(names))
     return diagnostic(INVALID_COMMAND_LINE, reason=error.message, help=help_of)
+
+
+def _begun(word: str, names: Sequence[str]) -> str:
+    """Return the only subcommand that begins with a word; empty if none or several do."""
+    begun = [name for name in names if name.startswith(word.lower())]
+    return begun[0] if len(begun) == 1 else ""
 
 
 def _options(context: click.Context | None) -> list[str]:
@@ -89,7 +95,7 @@ def _options(context: click.Context | None) -> list[str]:
         spelling
         for parameter in parameters
         for spelling in (*parameter.opts, *parameter.secondary_opts)
-    ]
+    ] + list(context.help_option_names)
 
 
 def _value(error: click.BadParameter) -> str:

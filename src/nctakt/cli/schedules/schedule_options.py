@@ -38,6 +38,7 @@ from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.commands.inputs import INVALID_TIME
+from nctakt.messages.scheduling.rtconf import PROGRAM_AS_SCHEDULING_LIST
 from nctakt.run.options import BY_NAME
 
 if TYPE_CHECKING:
@@ -290,8 +291,11 @@ def read_list(words: dict[str, Any], access: FileAccess | None = None) -> ListRe
 
     ``access``: the files of the command, if it has more than one list.
     """
+    from nctakt.checking.inputs import PROGRAM_SUFFIXES  # noqa: PLC0415 - not for the help
     from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
 
+    if Path(words["file"]).suffix.lower() in PROGRAM_SUFFIXES:
+        raise Failure(diagnostic(PROGRAM_AS_SCHEDULING_LIST, file=words["file"]))
     read_selection((), words["ignore"])  # a word without a message is reported first
     options = RtconfOptions(
         PROFILES[words["system"]],

@@ -160,10 +160,11 @@ UNKNOWN_ITEM = error(
     902631,
     en="{name} has no value {item}; its values are {known}",
     de="{name} hat keinen Wert {item}; seine Werte sind {known}",
-    remedy_en="Write one of its values, or a number.",
-    remedy_de="Einen seiner Werte oder eine Zahl schreiben.",
+    remedy_en="Did you mean {nearest}? Write one of its values, or a number.",
+    remedy_de="War {nearest} gemeint? Einen seiner Werte oder eine Zahl schreiben.",
     item=("the item that is expected", "der erwartete Wert"),
     known=("the items of the enumeration", "die Werte der Aufzählung"),
+    nearest=("the most similar item", "der ähnlichste Wert"),
 )
 INVALID_GIVEN_INPUT = error(
     900661,

@@ -168,8 +168,9 @@ PLC_VALUE_REFUSED = error(
     902262,
     en="{name} of type {type} cannot hold {value}",
     de="{name} vom Typ {type} kann {value} nicht aufnehmen",
-    remedy_en="Give a value of that type.",
-    remedy_de="Einen Wert dieses Typs angeben.",
+    remedy_en="Did you mean {nearest}? Give a value of that type.",
+    remedy_de="War {nearest} gemeint? Einen Wert dieses Typs angeben.",
+    nearest=("the most similar item of an enumeration", "der ähnlichste Wert einer Aufzählung"),
 )
 NO_PART = error(
     902962,

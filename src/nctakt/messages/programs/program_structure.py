@@ -46,12 +46,12 @@ UNKNOWN_LABEL = error(
     known_as=(900126, 21697, 21698),
     en="this program has no label {label}",
     de="dieses Programm hat keine Sprungmarke {label}",
-    remedy_en="Did you mean {nearest}? Write N20: or [NAME] before a block of the same program.",
-    remedy_de="War {nearest} gemeint? N20: oder [NAME] vor einen Satz desselben Programms "
-    "schreiben.",
+    remedy_en="Did you mean {nearest}? Write {form} before a block of the same program.",
+    remedy_de="War {nearest} gemeint? {form} vor einen Satz desselben Programms schreiben.",
     cause_en="A jump stays within its main program or subprogram.",
     cause_de="Ein Sprung bleibt in seinem Haupt- oder Unterprogramm.",
     nearest=("the most similar label", "die ähnlichste Sprungmarke"),
+    form=("the label as it is written before a block", "die Marke, wie sie vor einem Satz steht"),
 )
 JUMP_INTO_LOOP = error(
     21480,

@@ -259,3 +259,11 @@ REALTIME_OVERFLOW_NOT_REPORTED = note(
     remedy_en="Set error_on_overflow to 1.",
     remedy_de="error_on_overflow auf 1 setzen.",
 )
+PROGRAM_AS_SCHEDULING_LIST = error(
+    902983,
+    en="{file} is an NC program, not a scheduling list",
+    de="{file} ist ein NC-Programm, keine Schedulingliste",
+    remedy_en="Give an rtconf.lis; nctakt run {file} --rtconf RTCONF.LIS runs the program with it.",
+    remedy_de="Eine rtconf.lis angeben; nctakt run {file} --rtconf RTCONF.LIS führt das Programm "
+    "damit aus.",
+)

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, Protocol, TypeAlias
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.messages import diagnostic
@@ -110,7 +110,8 @@ class _Instance:
         plain, shown = _plain(value), repr(value)[:40]
         if plain is None:
             kind = found.type.name
-            raise Failure(diagnostic(PLC_VALUE_REFUSED, name=path, type=kind, value=shown))
+            values = {"name": path, "type": kind, "value": shown, "nearest": NOTHING}
+            raise Failure(diagnostic(PLC_VALUE_REFUSED, **values))
         self.pending[name.lower()] = path, plain, self.plc.check(path, plain)
 
     def take(self) -> list[tuple[str, Value, bytes]]:

@@ -41,6 +41,7 @@ from nctakt.messages.plcs.st_check import (
     STRING_CONSTANT_TOO_LONG,
     THIS_OUTSIDE,
     TYPE_MISMATCH,
+    TYPE_UNKNOWN,
     TYPES_NOT_COMPARABLE,
     VALUE_EXPECTED_NOT_TYPE,
 )
@@ -125,6 +126,7 @@ from nctakt.st.vocabulary.elementary import (
     UNTYPED,
     UNTYPED_REAL,
     WORD,
+    nearest_type,
     signed,
     smallest,
     smallest_bits,
@@ -310,7 +312,8 @@ class ExpressionChecker:
             self._reported_foreign.add(key)
         if self._known_names is None:
             self._known_names = KnownNames(self.names.all_names())
-        nearest = self._known_names.nearest(name)
+        nearest = nearest_type(name) if message is TYPE_UNKNOWN else None
+        nearest = nearest or self._known_names.nearest(name)
         if nearest is None:
             nearest = KnownNames(
                 [

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from nctakt.base.misspelling import nearest
 from nctakt.st.types import Elementary, Family, PointerType, StringType, Type
 
 
@@ -80,6 +81,24 @@ LITERAL_PREFIXES: dict[str, Elementary] = {
 
 INTEGERS = frozenset((Family.BITS, Family.UNSIGNED, Family.SIGNED))
 NUMBERS = INTEGERS | {Family.REAL}
+
+
+def nearest_type(name: str) -> str:
+    """Return the elementary type that a name is a misspelling of; empty if none is clearly meant.
+
+    A letter that is missing is more likely than a wrong one: ``UDNT`` is UDINT, not UINT.
+    """
+    known = [*(one for one in ELEMENTARY if not one.startswith("_")), "STRING", "WSTRING"]
+    found = nearest(name, known)
+    if found:
+        return found
+    written = name.upper()
+    longer = [
+        one
+        for one in known
+        if any(written == one[:index] + one[index + 1 :] for index in range(len(one)))
+    ]
+    return longer[0] if len(longer) == 1 else ""
 
 
 def string(length: int, *, is_wide: bool = False) -> StringType:

@@ -16,14 +16,14 @@ import time
 import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import IO
+from typing import IO, NoReturn
 
 import pytest
 from support.command_table import commands
 
 import nctakt
 from nctakt.base import interrupts
-from nctakt.cli import group
+from nctakt.cli import group, main
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.trace.reading import read_trace
 
@@ -298,6 +298,32 @@ def test_the_page_keeps_its_tape(start: Start, tmp_path: Path) -> None:
     assert "dap token " in page.said
     assert page.end(signal.SIGTERM) == 0, page.said
     assert (tmp_path / "run.tape").stat().st_size > 0
+
+
+def test_coverage_says_that_its_run_was_interrupted(start: Start, tmp_path: Path) -> None:
+    """Its table counts only the ticks until then (902984); exit code 1."""
+    own = "import os, signal\nclass P:\n  def cycle(self, hli):\n    if hli.tick == 10:\n"
+    own += "      os.kill(os.getpid(), signal.SIGINT)\n"
+    (tmp_path / "own.py").write_text(own, "utf-8")
+    counting = start("coverage", *_LONG, "--plc", "own.py", ignores=False)
+    said = counting.process.communicate(timeout=60)[0].decode()
+    assert counting.process.returncode == 1, said
+    assert "warning 902984: the run was interrupted after " in said
+
+
+def test_a_page_that_does_not_exist_yet_ends_as_one_that_does(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Ctrl-C is the way to end it: exit code 0 while it still reads its inputs, too."""
+    pytest.importorskip("nicegui")
+
+    def interrupted(*_: object) -> NoReturn:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("nctakt.cli.live.read_request", interrupted)
+    (tmp_path / "part.nc").write_text("M30\n", "utf-8")
+    assert main(["live", str(tmp_path / "part.nc"), "--port", "0"]) == 0
+    assert capsys.readouterr().out == ""
 
 
 @pytest.mark.nightly

@@ -35,8 +35,10 @@ from nctakt.cli.common.settings import carry_out
 from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
+from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.coverage import (
+    COUNT_INTERRUPTED,
     COVERAGE_BELOW_MINIMUM,
     COVERAGE_COUNTS_DROPPED,
     INVALID_COVERAGE_DATA,
@@ -176,6 +178,9 @@ def _run(options: Options, access: FileAccess) -> tuple[int, Coverage | None]:
         return EXIT_NC_ERROR, None
     run = with_limit_error(options, run)
     print_diagnostics(run.diagnostics, options.language, shown_from(options))
+    if run.state == "interrupted":
+        found = diagnostic(COUNT_INTERRUPTED, time=str(Time(run.virtual_time_us)))
+        print_diagnostics([found], options.language)
     return exit_code(options, run), run.coverage if run.ticks else None
 
 

@@ -203,46 +203,29 @@ def _share(
 
 
 def show_page(options: Options, access: FileAccess, own: Words) -> int:
-    """Open the session and serve the page; raises ``Failure`` for unusable inputs."""
+    """Open the session and serve the page; raises ``Failure`` for unusable inputs.
+
+    Ctrl-C is the way to end it, also before there is a page.
+    """
+    try:
+        page = _opened(options, access, own)
+    except KeyboardInterrupt:
+        return EXIT_RAN
     from nctakt.live import server  # noqa: PLC0415 - seldom needed
+    from nctakt.live.texts import Texts  # noqa: PLC0415 - the mode is chosen before
 
-    server.check_library()
-    if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
-        raise Failure(diagnostic(PAGE_NEEDS_FILES))
-    choose_mode(options)
-    from nctakt.live.document import Checker, Document  # noqa: PLC0415 - the mode is chosen before
-    from nctakt.live.texts import Texts  # noqa: PLC0415
-
-    request = read_request(options, access)
-    if options.machine_note is not None and not options.quiet:
-        print_diagnostics([options.machine_note], options.language)
-    address = own.host, server.usable_port(own.host, own.port)
-    _check_tape(own, access)
-    folders = options.confined or _folders_of(options)
-    checker = Checker(options.machine, folders)
-    documents = {
-        number: [Document(str(program), checker) for program in programs]
-        for number, programs in {1: request.programs, **request.channels}.items()
-        if programs
-    }
-
-    curves = [] if own.log is None else _compared_curves(options, access, own.log)
     refused: Counter[Text] = Counter()
-    kept = None
-    if options.retain is not None:
-        kept = RetainedSession(options.retain, options.plcs, access, options.language)
-    open_session = _session_opener(options, request, own, documents, folders, kept)
-    shared = _share(open_session, documents, own, curves, options.plcs)
+    shared = page.shared
     with contextlib.ExitStack() as ends:
         ends.callback(shared.close)
         if own.debug_port is not None:
             ends.callback(_let_attach(shared, own.debug_port, options).close)
-        with contextlib.suppress(KeyboardInterrupt):  # the way to end it
+        with contextlib.suppress(KeyboardInterrupt):
             server.serve(
                 shared,
-                documents,
+                page.documents,
                 Texts(options.language),
-                address,
+                page.address,
                 shown=server.Shown(
                     bool(options.plcs), own.has_tour, own.opens_browser, own.is_embedded
                 ),
@@ -256,9 +239,50 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
             print_diagnostics([_refusals(refused, options.language)], options.language)
         if own.tape is not None:
             shared.session.save(own.tape)
-        if kept is not None:
-            kept.keep()
+        if page.kept is not None:
+            page.kept.keep()
     return EXIT_RAN
+
+
+@dataclass(frozen=True, slots=True)
+class _Page:
+    """What a page shows, before it is served; ``kept``: the values that outlive the session."""
+
+    shared: SharedSession
+    documents: Mapping[int, list[Document]]
+    address: tuple[str, int]
+    kept: RetainedSession | None
+
+
+def _opened(options: Options, access: FileAccess, own: Words) -> _Page:
+    """Return the session with its programs; raises ``Failure`` for unusable inputs."""
+    from nctakt.live import server  # noqa: PLC0415 - seldom needed
+
+    server.check_library()
+    if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
+        raise Failure(diagnostic(PAGE_NEEDS_FILES))
+    choose_mode(options)
+    from nctakt.live.document import Checker, Document  # noqa: PLC0415 - the mode is chosen before
+
+    request = read_request(options, access)
+    if options.machine_note is not None and not options.quiet:
+        print_diagnostics([options.machine_note], options.language)
+    address = own.host, server.usable_port(own.host, own.port)
+    _check_tape(own, access)
+    folders = options.confined or _folders_of(options)
+    checker = Checker(options.machine, folders)
+    documents = {
+        number: [Document(str(program), checker) for program in programs]
+        for number, programs in {1: request.programs, **request.channels}.items()
+        if programs
+    }
+    curves = [] if own.log is None else _compared_curves(options, access, own.log)
+    kept = None
+    if options.retain is not None:
+        kept = RetainedSession(options.retain, options.plcs, access, options.language)
+    open_session = _session_opener(options, request, own, documents, folders, kept)
+    shared = _share(open_session, documents, own, curves, options.plcs)
+    return _Page(shared, documents, address, kept)
 
 
 def _compared_curves(options: Options, access: FileAccess, words: LogWords) -> list[LoggedCurve]:

@@ -762,8 +762,8 @@ def _labels(sought: Type) -> tuple[tuple[int, str], ...]:
 
 def _refused(name: str, sought: Type, value: object, near: str = "") -> Diagnostic:
     """Return the diagnostic of a value that a variable cannot hold; ``near``: what is meant."""
-    values = {"name": name, "type": sought.name, "value": value, "nearest": near or NOTHING}
-    return diagnostic(PLC_VALUE_REFUSED, **values)
+    nearest = near or NOTHING
+    return diagnostic(PLC_VALUE_REFUSED, name=name, type=sought.name, value=value, nearest=nearest)
 
 
 def _enumeration_value(sought: EnumType, text: str, variable: str) -> int:

@@ -44,3 +44,11 @@ UNKNOWN_COVERAGE_FORMAT = error(
     remedy_de="Eine dieser Endungen verwenden: {suffixes}.",
     suffixes=("the known suffixes", "die bekannten Endungen"),
 )
+COUNT_INTERRUPTED = warning(
+    902984,
+    en="the run was interrupted after {time}: only what ran until then is counted",
+    de="der Lauf wurde nach {time} unterbrochen: gezählt ist nur, was bis dahin lief",
+    remedy_en="Let it run to its end, or set a limit (--until, --ticks).",
+    remedy_de="Ihn zu Ende laufen lassen oder eine Grenze setzen (--until, --ticks).",
+    time=("how long the run lasted", "die Dauer des Laufs"),
+)

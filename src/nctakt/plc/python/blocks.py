@@ -110,8 +110,9 @@ class _Instance:
         plain, shown = _plain(value), repr(value)[:40]
         if plain is None:
             kind = found.type.name
-            values = {"name": path, "type": kind, "value": shown, "nearest": NOTHING}
-            raise Failure(diagnostic(PLC_VALUE_REFUSED, **values))
+            raise Failure(
+                diagnostic(PLC_VALUE_REFUSED, name=path, type=kind, value=shown, nearest=NOTHING)
+            )
         self.pending[name.lower()] = path, plain, self.plc.check(path, plain)
 
     def take(self) -> list[tuple[str, Value, bytes]]:

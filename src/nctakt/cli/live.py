@@ -148,12 +148,12 @@ def command(**words: Any) -> int:
     """Show a run on a page."""
     has_log = words["log"] is not None
     log = take_words(words, LogWords)
-    own = take_words(words, Words)
+    live_words = take_words(words, Words)
     if has_log:
-        own = replace(own, log=log)
+        live_words = replace(live_words, log=log)
     return carry_out(
         words,
-        lambda options, access: show_page(options, access, own),
+        lambda options, access: show_page(options, access, live_words),
     )
 
 
@@ -173,17 +173,17 @@ class Words:
     has_tour: bool = False
 
 
-def _check_tape(own: Words, access: FileAccess) -> None:
+def _check_tape(live_words: Words, access: FileAccess) -> None:
     """Raise ``Failure`` if the tape is one of the inputs, or cannot be written."""
-    if own.tape is not None:
-        with OutputFile(own.tape, "--record", access):
+    if live_words.tape is not None:
+        with OutputFile(live_words.tape, "--record", access):
             pass
 
 
 def _share(
     opener: Callable[[str | None, bool], Session],
     documents: Mapping[int, list[Document]],
-    own: Words,
+    live_words: Words,
     curves: Sequence[LoggedCurve],
     plcs: Sequence[str],
 ) -> SharedSession:
@@ -194,7 +194,7 @@ def _share(
     return SharedSession(
         opener,
         documents[channel][0].file,
-        acknowledges=not own.acknowledge,
+        acknowledges=not live_words.acknowledge,
         channel=channel,
         logged=curves,
         plcs=[Path(one) for one in plcs],
@@ -202,13 +202,13 @@ def _share(
     )
 
 
-def show_page(options: Options, access: FileAccess, own: Words) -> int:
+def show_page(options: Options, access: FileAccess, live_words: Words) -> int:
     """Open the session and serve the page; raises ``Failure`` for unusable inputs.
 
-    Ctrl-C is the way to end it, also before there is a page.
+    Ctrl-C ends it, also before there is a page.
     """
     try:
-        page = _opened(options, access, own)
+        page = _opened(options, access, live_words)
     except KeyboardInterrupt:
         return EXIT_RAN
     from nctakt.live import server  # noqa: PLC0415 - seldom needed
@@ -218,8 +218,8 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
     shared = page.shared
     with contextlib.ExitStack() as ends:
         ends.callback(shared.close)
-        if own.debug_port is not None:
-            ends.callback(_let_attach(shared, own.debug_port, options).close)
+        if live_words.debug_port is not None:
+            ends.callback(_let_attach(shared, live_words.debug_port, options).close)
         with contextlib.suppress(KeyboardInterrupt):
             server.serve(
                 shared,
@@ -227,7 +227,10 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
                 Texts(options.language),
                 page.address,
                 shown=server.Shown(
-                    bool(options.plcs), own.has_tour, own.opens_browser, own.is_embedded
+                    bool(options.plcs),
+                    live_words.has_tour,
+                    live_words.opens_browser,
+                    live_words.is_embedded,
                 ),
                 announce=click.echo,
                 reports=server.Reports(
@@ -237,8 +240,8 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
             )
         if refused and not options.quiet:
             print_diagnostics([_refusals(refused, options.language)], options.language)
-        if own.tape is not None:
-            shared.session.save(own.tape)
+        if live_words.tape is not None:
+            shared.session.save(live_words.tape)
         if page.kept is not None:
             page.kept.keep()
     return EXIT_RAN
@@ -254,7 +257,7 @@ class _Page:
     kept: RetainedSession | None
 
 
-def _opened(options: Options, access: FileAccess, own: Words) -> _Page:
+def _opened(options: Options, access: FileAccess, live_words: Words) -> _Page:
     """Return the session with its programs; raises ``Failure`` for unusable inputs."""
     from nctakt.live import server  # noqa: PLC0415 - seldom needed
 
@@ -267,8 +270,8 @@ def _opened(options: Options, access: FileAccess, own: Words) -> _Page:
     request = read_request(options, access)
     if options.machine_note is not None and not options.quiet:
         print_diagnostics([options.machine_note], options.language)
-    address = own.host, server.usable_port(own.host, own.port)
-    _check_tape(own, access)
+    address = live_words.host, server.usable_port(live_words.host, live_words.port)
+    _check_tape(live_words, access)
     folders = options.confined or _folders_of(options)
     checker = Checker(options.machine, folders)
     documents = {
@@ -276,12 +279,12 @@ def _opened(options: Options, access: FileAccess, own: Words) -> _Page:
         for number, programs in {1: request.programs, **request.channels}.items()
         if programs
     }
-    curves = [] if own.log is None else _compared_curves(options, access, own.log)
+    curves = [] if live_words.log is None else _compared_curves(options, access, live_words.log)
     kept = None
     if options.retain is not None:
         kept = RetainedSession(options.retain, options.plcs, access, options.language)
-    open_session = _session_opener(options, request, own, documents, folders, kept)
-    shared = _share(open_session, documents, own, curves, options.plcs)
+    open_session = _session_opener(options, request, live_words, documents, folders, kept)
+    shared = _share(open_session, documents, live_words, curves, options.plcs)
     return _Page(shared, documents, address, kept)
 
 
@@ -329,7 +332,7 @@ def _compared_curves(options: Options, access: FileAccess, words: LogWords) -> l
 def _session_opener(
     options: Options,
     request: Request,
-    own: Words,
+    live_words: Words,
     documents: Mapping[int, Sequence[Document]],
     folders: Sequence[str],
     kept: RetainedSession | None,
@@ -362,7 +365,7 @@ def _session_opener(
             plc=options.plcs,
             acknowledges=acknowledges,
             folders=folders,
-            pace=own.pace,
+            pace=live_words.pace,
             **given,
         )
         if kept is not None:

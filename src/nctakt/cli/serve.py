@@ -234,11 +234,11 @@ if TYPE_CHECKING:
 @MODE_OPTION
 def command(**words: Any) -> int:
     """Serve a session."""
-    own = take_words(words, _Words)
+    serve_words = take_words(words, _Words)
 
     def show(options: Options, access: FileAccess) -> int:
         with building() as built:
-            return _serve(options, access, own, built)
+            return _serve(options, access, serve_words, built)
 
     return carry_out({**words, "stays": True}, show)
 
@@ -287,12 +287,14 @@ def _plc_programs(options: Options) -> Sequence[Program]:
     return [program for one in options.plcs for program in structured_programs(one)]
 
 
-def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[], None]) -> int:
+def _serve(
+    options: Options, access: FileAccess, serve_words: _Words, built: Callable[[], None]
+) -> int:
     """Open the session and serve it, ``built`` once all endpoints are open.
 
     Raises ``Failure`` for unusable inputs.
     """
-    _check_words(options, own)
+    _check_words(options, serve_words)
     choose_mode(options)
     import asyncio  # noqa: PLC0415 - no other command needs it
 
@@ -303,27 +305,27 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
 
     request = read_request(options, access)
     folders = options.confined or served_folders(options)
-    endpoints = _endpoints(own)
-    if own.live is not None:
-        endpoints["live"] = _page(options, own, folders, own.live)
+    endpoints = _endpoints(serve_words)
+    if serve_words.live is not None:
+        endpoints["live"] = _page(options, serve_words, folders, serve_words.live)
     if not endpoints:
         raise Failure(diagnostic(NO_ENDPOINT))
     if not options.quiet:
         notes = [] if options.machine_note is None else [options.machine_note]
-        print_diagnostics([*notes, *_who_commands(own)], options.language)
+        print_diagnostics([*notes, *_who_commands(serve_words)], options.language)
     machine = load_machine(options.machine, access=access)
-    _check_outputs(own, access)
+    _check_outputs(serve_words, access)
     with contextlib.ExitStack() as stack:
-        log = ServerLog(stack.enter_context(_log_writer(own.log)))
-        setup = _setup(options, request, own, folders)
-        session = stack.enter_context(Session.of_setup(setup, own.pace))
+        log = ServerLog(stack.enter_context(_log_writer(serve_words.log)))
+        setup = _setup(options, request, serve_words, folders)
+        session = stack.enter_context(Session.of_setup(setup, serve_words.pace))
         lowest = Severity.ERROR if options.quiet else Severity.NOTE
         print_diagnostics(session.description.diagnostics, options.language, lowest)
         if session.is_over:
             return EXIT_NC_ERROR
-        speed = own.speed
-        ready = _ready_teller(own.ready_file, built)
-        growing = _growing(own.tape, session, setup, options, access)
+        speed = serve_words.speed
+        ready = _ready_teller(serve_words.ready_file, built)
+        growing = _growing(serve_words.tape, session, setup, options, access)
         programs = _plc_programs(options)
         serving = serve(
             session,
@@ -338,41 +340,43 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
         try:
             asyncio.run(serving)
         finally:
-            _end(session, options, own.tape)
+            _end(session, options, serve_words.tape)
             if growing is not None:
                 growing.close()
     return EXIT_RAN
 
 
-def _check_words(options: Options, own: _Words) -> None:
+def _check_words(options: Options, serve_words: _Words) -> None:
     """Raise ``Failure`` for options that do not fit each other."""
     if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
         raise Failure(diagnostic(PAGE_NEEDS_FILES))
     if options.rtconf is None and (options.load or options.system):
         option = "--load" if options.load else "--os"
         raise Failure(diagnostic(OPTION_WITHOUT_SCHEDULE, option=option))
-    if options.rtconf is not None and own.speed != 1.0:
+    if options.rtconf is not None and serve_words.speed != 1.0:
         raise Failure(diagnostic(SPEED_OF_REAL_SCHEDULE))
 
 
-def _check_outputs(own: _Words, access: FileAccess) -> None:
+def _check_outputs(serve_words: _Words, access: FileAccess) -> None:
     """Check that all outputs can be written, and remove an old ready file.
 
     Raises ``Failure`` for one that cannot be written, or that is an input.
     """
     with contextlib.ExitStack() as stack:  # each can be written, and is not one of the other files
         for option, file in (
-            ("--record", own.tape),
-            ("--ready-file", own.ready_file),
-            ("--log", None if own.log == "-" else own.log),
+            ("--record", serve_words.tape),
+            ("--ready-file", serve_words.ready_file),
+            ("--log", None if serve_words.log == "-" else serve_words.log),
         ):
             if file is not None:
                 stack.enter_context(OutputFile(file, option, access))
-    if own.ready_file is not None and Path(own.ready_file).is_file():
-        Path(own.ready_file).unlink()  # left by an earlier start: this one is not ready yet
+    if serve_words.ready_file is not None and Path(serve_words.ready_file).is_file():
+        Path(serve_words.ready_file).unlink()  # left by an earlier start: this one is not ready yet
 
 
-def _setup(options: Options, request: Request, own: _Words, folders: Sequence[str]) -> Setup:
+def _setup(
+    options: Options, request: Request, serve_words: _Words, folders: Sequence[str]
+) -> Setup:
     """Return the setup of the session."""
     from nctakt.run.options import merged  # noqa: PLC0415 - the mode is chosen before
     from nctakt.session.setup import Setup  # noqa: PLC0415 - the mode is chosen before
@@ -381,7 +385,7 @@ def _setup(options: Options, request: Request, own: _Words, folders: Sequence[st
         {1: request.programs, **request.channels},
         options.machine,
         options.plcs,
-        acknowledges=not own.acknowledge,
+        acknowledges=not serve_words.acknowledge,
         folders=folders,
         options=merged(request.session_options, {"stays": True}),
         rtconf=options.rtconf,
@@ -390,16 +394,16 @@ def _setup(options: Options, request: Request, own: _Words, folders: Sequence[st
     )
 
 
-def _endpoints(own: _Words) -> dict[str, EndpointOpener]:
+def _endpoints(serve_words: _Words) -> dict[str, EndpointOpener]:
     """Return openers of the requested endpoints; raises ``Failure`` for wrong addresses."""
     endpoints: dict[str, EndpointOpener] = {}
-    for name, word in own.endpoints.items():
+    for name, word in serve_words.endpoints.items():
         if word is not None:
-            endpoints[name] = _ENDPOINTS[name](word, own)
+            endpoints[name] = _ENDPOINTS[name](word, serve_words)
     return endpoints
 
 
-def _ads(word: str, own: _Words) -> EndpointOpener:
+def _ads(word: str, serve_words: _Words) -> EndpointOpener:
     from nctakt.servers.address import (  # noqa: PLC0415 - only where it is asked for
         is_loopback,
         read_address,
@@ -408,9 +412,9 @@ def _ads(word: str, own: _Words) -> EndpointOpener:
     from nctakt.servers.ads.server import PORT, AdsEndpoint  # noqa: PLC0415 - as above
 
     address = read_address("--ads", word, PORT)
-    net_id = None if own.ads_net_id is None else _net_id(own.ads_net_id)
-    clients = [_net_id(text) for text in own.ads_permitted]
-    networks = [read_network("--ads-from", text) for text in own.ads_networks]
+    net_id = None if serve_words.ads_net_id is None else _net_id(serve_words.ads_net_id)
+    clients = [_net_id(text) for text in serve_words.ads_permitted]
+    networks = [read_network("--ads-from", text) for text in serve_words.ads_networks]
     if not networks and not is_loopback(address[0]):
         raise Failure(diagnostic(ADS_NEEDS_SOURCES, host=address[0]))
     return lambda host: AdsEndpoint(host, address, net_id, clients, networks)
@@ -426,28 +430,33 @@ def _net_id(text: str) -> bytes:
     return found
 
 
-def _who_commands(own: _Words) -> Iterator[Diagnostic]:
+def _who_commands(serve_words: _Words) -> Iterator[Diagnostic]:
     """Yield a note for each endpoint that takes commands: from whom."""
     from nctakt.servers.address import is_loopback, read_address  # noqa: PLC0415 - as in _ads
 
     def is_local(endpoint: str) -> bool:
-        return is_loopback(read_address(f"--{endpoint}", own.endpoints[endpoint] or "", 0)[0])
+        return is_loopback(
+            read_address(f"--{endpoint}", serve_words.endpoints[endpoint] or "", 0)[0]
+        )
 
     local = Text(
         "any program of this computer, without a password",
         "jedes Programm dieses Rechners, ohne Passwort",
     )
-    if own.ads is not None:
-        networks = ", ".join(own.ads_networks)
+    if serve_words.ads is not None:
+        networks = ", ".join(serve_words.ads_networks)
         remote = Text(
             f"anyone who connects from {networks}, without a password",
             f"wer sich von {networks} verbindet, ohne Passwort",
         )
         yield diagnostic(WHO_COMMANDS, endpoint="ADS", who=remote if networks else local)
-    if own.opcua is not None:
-        users = Text(f"the users of {own.opcua_folder}", f"die Benutzer von {own.opcua_folder}")
+    if serve_words.opcua is not None:
+        users = Text(
+            f"the users of {serve_words.opcua_folder}",
+            f"die Benutzer von {serve_words.opcua_folder}",
+        )
         yield diagnostic(WHO_COMMANDS, endpoint="OPC UA", who=local if is_local("opcua") else users)
-    if own.mqtt is not None:
+    if serve_words.mqtt is not None:
         writers = Text(
             "anyone who may write to the topics of the broker",
             "wer auf die Topics des Brokers schreiben darf",
@@ -455,7 +464,9 @@ def _who_commands(own: _Words) -> Iterator[Diagnostic]:
         yield diagnostic(WHO_COMMANDS, endpoint="MQTT", who=writers)
 
 
-def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> EndpointOpener:
+def _page(
+    options: Options, serve_words: _Words, folders: Sequence[str], word: str
+) -> EndpointOpener:
     """Return the function that opens the page; raises ``Failure`` (901477) without a program."""
     from nctakt.live.server import Reports, check_library  # noqa: PLC0415 - only where asked for
 
@@ -477,7 +488,7 @@ def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> E
         checker,
         address,
         options.language,
-        acknowledges=not own.acknowledge,
+        acknowledges=not serve_words.acknowledge,
         has_plc=bool(options.plcs),
         reports=Reports(
             lambda found: print_diagnostics([found], options.language),
@@ -486,7 +497,7 @@ def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> E
     )
 
 
-def _mtconnect(word: str, own: _Words) -> EndpointOpener:
+def _mtconnect(word: str, serve_words: _Words) -> EndpointOpener:
     from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
     from nctakt.servers.mtconnect import PORT, MtconnectEndpoint  # noqa: PLC0415 - as above
 
@@ -494,7 +505,7 @@ def _mtconnect(word: str, own: _Words) -> EndpointOpener:
     return lambda host: MtconnectEndpoint(host, address)
 
 
-def _mqtt(word: str, own: _Words) -> EndpointOpener:
+def _mqtt(word: str, serve_words: _Words) -> EndpointOpener:
     from nctakt.servers.mqtt import MqttEndpoint  # noqa: PLC0415 - only where it is asked for
     from nctakt.servers.mqtt_requests import read_broker  # noqa: PLC0415 - as above
 
@@ -502,14 +513,14 @@ def _mqtt(word: str, own: _Words) -> EndpointOpener:
     return lambda host: MqttEndpoint(host, broker)
 
 
-def _opcua(word: str, own: _Words) -> EndpointOpener:
+def _opcua(word: str, serve_words: _Words) -> EndpointOpener:
     if find_spec("asyncua") is None:
         raise Failure(diagnostic(OPCUA_LIBRARY_MISSING))
     from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
     from nctakt.servers.opcua.endpoint import PORT, OpcuaEndpoint  # noqa: PLC0415 - as above
 
     address = read_address("--opcua", word, PORT)
-    return lambda host: OpcuaEndpoint(host, address, Path(own.opcua_folder))
+    return lambda host: OpcuaEndpoint(host, address, Path(serve_words.opcua_folder))
 
 
 #: The port of the page.

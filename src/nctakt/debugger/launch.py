@@ -54,7 +54,9 @@ class Configuration:
         try:
             return Session(
                 *self.channels.get(1, ()),
-                channels={number: own for number, own in self.channels.items() if number != 1},
+                channels={
+                    number: programs for number, programs in self.channels.items() if number != 1
+                },
                 machine=self.settings.machine,
                 plc=self.settings.plcs,
                 acknowledges=self.acknowledges,
@@ -72,7 +74,7 @@ class Configuration:
     @property
     def program(self) -> str:
         """The name of the first program."""
-        return next((str(own[0]) for own in self.channels.values() if own), "")
+        return next((str(programs[0]) for programs in self.channels.values() if programs), "")
 
 
 def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configuration:
@@ -86,9 +88,9 @@ def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configur
     for name, value in arguments.entries("channels").items():
         if not name.isdecimal() or len(name) > 4:
             raise Failure(diagnostic(WRONG_ARGUMENT, name="channels", expected='{"2": "b.nc"}'))
-        own = Arguments({"program": value}, f"channels.{name}").texts("program")
-        channels[int(name)] = _paths(own, base, access)
-    first = next((own[0] for own in channels.values() if own), None)
+        programs = Arguments({"program": value}, f"channels.{name}").texts("program")
+        channels[int(name)] = _paths(programs, base, access)
+    first = next((programs[0] for programs in channels.values() if programs), None)
     if first is None:
         raise Failure(diagnostic(WRONG_ARGUMENT, name="program", expected="the path of a program"))
     options = _options(arguments)
@@ -97,7 +99,9 @@ def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configur
     plcs = tuple(arguments.texts("plc")) if arguments.has("plc") else ()
     values = options.get("set") or {}
     named = Named(machine=machine, plcs=plcs, values=values, until=until, base=base)
-    settings = run_settings([one for own in channels.values() for one in own], access, named)
+    settings = run_settings(
+        [one for programs in channels.values() for one in programs], access, named
+    )
     if machine is not None and settings.machine is not None:
         access.check_admitted(settings.machine)
     if settings.plcs:

@@ -242,33 +242,35 @@ class _Report:
 
     def _strips(self) -> Iterator[str]:
         for dimension in self._plan.dimensions:
-            own = self._numbers(dimension.name)
-            if dimension.is_each_tick and own:
+            rows = self._numbers(dimension.name)
+            if dimension.is_each_tick and rows:
                 name = self._label(dimension.name)
-                picture = charts.strip(_column(own, dimension.name), _held(own), name, self._blocks)
+                picture = charts.strip(
+                    _column(rows, dimension.name), _held(rows), name, self._blocks
+                )
                 yield _figure(picture, self._text("strip"))
 
     def _histograms(self) -> Iterator[str]:
         for name in self._names:
-            own = self._numbers(name)
-            if own:
-                missing = len(self._rows) - len(own)
-                caption = f"{name}: {len(own)} {self._text('runs')}"
+            rows = self._numbers(name)
+            if rows:
+                missing = len(self._rows) - len(rows)
+                caption = f"{name}: {len(rows)} {self._text('runs')}"
                 caption += f", {self._text('without', missing)}" if missing else ""
                 limits = limits_of(self._plan, name)
-                values = _column(own, name)
+                values = _column(rows, name)
                 picture = charts.histogram(values, self._label(name), self._text("runs"), limits)
                 yield _figure(picture, caption)
 
     def _scatters(self) -> Iterator[str]:
         for measure, dimension in itertools.product(self._names, self._plan.dimensions):
             names = (dimension.name, measure)
-            own = self._numbers(*names)
-            if own:
-                x, y = (_column(own, name) for name in names)
+            rows = self._numbers(*names)
+            if rows:
+                x, y = (_column(rows, name) for name in names)
                 caption = self._text("over", measure, names[0])
                 labels = (self._label(dimension.name), self._label(measure))
-                yield _figure(charts.scatter(x, y, _held(own), labels), caption)
+                yield _figure(charts.scatter(x, y, _held(rows), labels), caption)
 
     def _label(self, name: str) -> str:
         """Return the name of a column with its unit."""
@@ -277,20 +279,20 @@ class _Report:
 
     def _verdict_maps(self) -> Iterator[str]:
         for first, second in itertools.combinations(self._plan.dimensions, 2):
-            own = self._numbers(first.name, second.name)
-            if own and self._plan.expectations:
-                x, y = (_column(own, one.name) for one in (first, second))
+            rows = self._numbers(first.name, second.name)
+            if rows and self._plan.expectations:
+                x, y = (_column(rows, one.name) for one in (first, second))
                 names = (self._label(first.name), self._label(second.name))
                 caption = self._text("verdict_map", first.name, second.name)
-                yield _figure(charts.verdict_map(x, y, _held(own), names), caption)
+                yield _figure(charts.verdict_map(x, y, _held(rows), names), caption)
 
     def _heat_maps(self) -> Iterator[str]:
         pairs = list(itertools.combinations(self._plan.dimensions, 2))
         for (first, second), measure in itertools.product(pairs, self._names):
             names = (first.name, second.name, measure)
-            own = self._numbers(*names)
-            if own:
-                x, y, values = (_column(own, name) for name in names)
+            rows = self._numbers(*names)
+            if rows:
+                x, y, values = (_column(rows, name) for name in names)
                 caption = self._text("mean", measure, first.name, second.name)
                 labels = (self._label(names[0]), self._label(names[1]), self._label(measure))
                 yield _figure(charts.heat_map(x, y, values, labels), caption)
@@ -298,12 +300,12 @@ class _Report:
     def _tornadoes(self) -> Iterator[str]:
         for measure in self._names:
             names = [one.name for one in self._plan.dimensions]
-            own = self._numbers(measure, *names)
-            values = _column(own, measure)
-            if len(own) < MIN_RUNS or min(values) == max(values):
+            rows = self._numbers(measure, *names)
+            values = _column(rows, measure)
+            if len(rows) < MIN_RUNS or min(values) == max(values):
                 continue
-            varied = [name for name in names if len(dict.fromkeys(_column(own, name))) > 1]
-            shares, method = sensitivities([_column(own, name) for name in varied], values)
+            varied = [name for name in names if len(dict.fromkeys(_column(rows, name))) > 1]
+            shares, method = sensitivities([_column(rows, name) for name in varied], values)
             pairs = list(zip(varied, shares, strict=True))
             picture = charts.bars(pairs, self._text(method))
             yield _figure(picture, self._text("depends", measure))
@@ -415,11 +417,11 @@ def sensitivities(
         import numpy  # noqa: PLC0415 - as SALib
         from SALib.analyze import pawn  # noqa: PLC0415 - an extra
     except ImportError:
-        return [abs(_rank_correlation(own, values)) for own in inputs], "rank correlation"
+        return [abs(_rank_correlation(column, values)) for column in inputs], "rank correlation"
     problem: dict[str, Any] = {
         "num_vars": len(inputs),
         "names": [str(number) for number in range(len(inputs))],
-        "bounds": [[min(own), max(own)] for own in inputs],
+        "bounds": [[min(column), max(column)] for column in inputs],
     }
     with numpy.errstate(all="ignore"):
         found = pawn.analyze(problem, numpy.array(inputs).T, numpy.array(values), S=10, seed=0)
@@ -440,7 +442,7 @@ def _ranks(values: Sequence[float]) -> list[float]:
     order = sorted(range(len(values)), key=lambda index: values[index])
     ranks = [0.0] * len(values)
     for _, group in itertools.groupby(enumerate(order), key=lambda item: values[item[1]]):
-        own = list(group)
-        for _, index in own:
-            ranks[index] = sum(position for position, _ in own) / len(own)
+        equal = list(group)
+        for _, index in equal:
+            ranks[index] = sum(position for position, _ in equal) / len(equal)
     return ranks

@@ -109,14 +109,14 @@ def _with_dynamics(
     return replace(axis, dynamics=change(axis.dynamics), gears=gears)
 
 
-def _faster(own: AxisDynamics) -> AxisDynamics:
+def _faster(dynamics: AxisDynamics) -> AxisDynamics:
     """Double both speeds; the changeover speed of the acceleration stays in proportion."""
     return replace(
-        own,
-        max_speed=2.0 * own.max_speed,
-        rapid_speed=2.0 * own.rapid_speed,
-        feed_slope=_with_doubled_changeover(own.feed_slope),
-        rapid_slope=_with_doubled_changeover(own.rapid_slope),
+        dynamics,
+        max_speed=2.0 * dynamics.max_speed,
+        rapid_speed=2.0 * dynamics.rapid_speed,
+        feed_slope=_with_doubled_changeover(dynamics.feed_slope),
+        rapid_slope=_with_doubled_changeover(dynamics.rapid_slope),
     )
 
 
@@ -124,15 +124,15 @@ def _with_doubled_changeover(slope: TrapezoidSlope) -> TrapezoidSlope:
     return replace(slope, changeover_speed=2.0 * slope.changeover_speed)
 
 
-def _stronger(own: AxisDynamics) -> AxisDynamics:
+def _stronger(dynamics: AxisDynamics) -> AxisDynamics:
     """Double all accelerations, and the ramps so that the jerk stays."""
-    slope = own.jerk_slope
+    slope = dynamics.jerk_slope
     up, down, brake, release = (2 * one for one in slope.ramp_times_us)
     return replace(
-        own,
-        max_acceleration=2.0 * own.max_acceleration,
-        feed_slope=_steeper(own.feed_slope),
-        rapid_slope=_steeper(own.rapid_slope),
+        dynamics,
+        max_acceleration=2.0 * dynamics.max_acceleration,
+        feed_slope=_steeper(dynamics.feed_slope),
+        rapid_slope=_steeper(dynamics.rapid_slope),
         jerk_slope=replace(
             slope,
             acceleration=2.0 * slope.acceleration,
@@ -141,7 +141,7 @@ def _stronger(own: AxisDynamics) -> AxisDynamics:
             ramp_times_us=(up, down, brake, release),
             rapid_ramp_time_us=2 * slope.rapid_ramp_time_us,
         ),
-        shortest_ramp_time_us=2 * own.shortest_ramp_time_us,
+        shortest_ramp_time_us=2 * dynamics.shortest_ramp_time_us,
     )
 
 
@@ -149,16 +149,16 @@ def _steeper(slope: TrapezoidSlope) -> TrapezoidSlope:
     return replace(slope, low=2.0 * slope.low, high=2.0 * slope.high)
 
 
-def _jerkier(own: AxisDynamics) -> AxisDynamics:
+def _jerkier(dynamics: AxisDynamics) -> AxisDynamics:
     """Halve all ramps, to whole microseconds."""
-    slope = own.jerk_slope
+    slope = dynamics.jerk_slope
     up, down, brake, release = (max(1, one // 2) for one in slope.ramp_times_us)
     return replace(
-        own,
+        dynamics,
         jerk_slope=replace(
             slope,
             ramp_times_us=(up, down, brake, release),
             rapid_ramp_time_us=max(1, slope.rapid_ramp_time_us // 2),
         ),
-        shortest_ramp_time_us=max(1, own.shortest_ramp_time_us // 2),
+        shortest_ramp_time_us=max(1, dynamics.shortest_ramp_time_us // 2),
     )

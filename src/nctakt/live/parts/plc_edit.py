@@ -112,8 +112,8 @@ class PlcEdit:
     @property
     def is_changed(self) -> bool:
         """Whether the text differs from that of its file."""
-        own = self._opened
-        return own is not None and self._typed != own.texts.texts[own.number]
+        opened = self._opened
+        return opened is not None and self._typed != opened.texts.texts[opened.number]
 
     @property
     def _typed(self) -> str:
@@ -171,15 +171,15 @@ class PlcEdit:
         ui.timer(_TYPING_S, lambda change=self._changes: self._checks.request(change), once=True)
 
     async def _check(self, change: int) -> None:
-        own, typed = self._opened, self._typed
-        if own is None or change != self._changes:
+        opened, typed = self._opened, self._typed
+        if opened is None or change != self._changes:
             return
-        found = await run.io_bound(self._find, own.file, own.lines_with(typed))
-        if own is self._opened and change == self._changes and found is not None:
+        found = await run.io_bound(self._find, opened.file, opened.lines_with(typed))
+        if opened is self._opened and change == self._changes and found is not None:
             self.findings = found
             lines = typed.split("\n")
-            placed = own.placed(found, lines)
-            self._show_marks(view.finding_marks(lines, own.file, placed, self._texts.language))
+            placed = opened.placed(found, lines)
+            self._show_marks(view.finding_marks(lines, opened.file, placed, self._texts.language))
             self._on_findings()
 
     def _show_marks(self, marks: list[dict[str, Any]]) -> None:
@@ -191,10 +191,10 @@ class PlcEdit:
 
     def reveal(self, file: str, line: int) -> bool:
         """Go to a line of a file; return whether it lies in the text that is open."""
-        own = self._opened
-        if own is None or own.file != file:
+        opened = self._opened
+        if opened is None or opened.file != file:
             return False
-        index = line - own.texts.place_of(own.number)[0]
+        index = line - opened.texts.place_of(opened.number)[0]
         if not 0 <= index <= self._typed.count("\n"):
             return False
         self._run(f"globalThis.nctaktPlcText?.go({index + 1});")
@@ -206,9 +206,9 @@ class PlcEdit:
 
     def close(self) -> None:
         """Show no text; unsaved text is kept."""
-        own = self._opened
-        if own is not None and self.is_changed:
-            self._drafts[own.file, own.number] = self._typed
+        opened = self._opened
+        if opened is not None and self.is_changed:
+            self._drafts[opened.file, opened.number] = self._typed
         self._opened, self.findings = None, []
         if self._editor is not None:
             self._show_marks([])
@@ -216,19 +216,21 @@ class PlcEdit:
 
     def write(self) -> None:
         """Write the text into its file; raises ``Failure`` if that has changed, or cannot be."""
-        own = self._opened
-        if own is None:
+        opened = self._opened
+        if opened is None:
             return
-        path = Path(own.file)
-        if FileAccess().read_bytes(path) != own.content:
-            raise Failure(diagnostic(PROGRAM_CHANGED_ON_DISK, file=own.file))
-        content = own.texts.replaced(own.number, self._typed)
+        path = Path(opened.file)
+        if FileAccess().read_bytes(path) != opened.content:
+            raise Failure(diagnostic(PROGRAM_CHANGED_ON_DISK, file=opened.file))
+        content = opened.texts.replaced(opened.number, self._typed)
         try:
             replace_file(path, content)
         except OSError as error:
             reason = error.strerror or str(error)
-            raise Failure(diagnostic(FILE_NOT_WRITABLE, file=own.file, reason=reason)) from error
-        self._opened = _Opened(own.file, content, EditableTexts(own.file, content), own.number)
+            raise Failure(diagnostic(FILE_NOT_WRITABLE, file=opened.file, reason=reason)) from error
+        self._opened = _Opened(
+            opened.file, content, EditableTexts(opened.file, content), opened.number
+        )
 
     def set_dark(self, is_dark: bool) -> None:
         """Use dark or light colours."""

@@ -55,38 +55,50 @@ def branch_tracks(why: WhyReport, *, idle: bool = False) -> Iterator[Track]:
         name = name or f"{cycle.span.file}:{cycle.span.line}"
         for branch in cycle.branches:
             key = (name, branch.span)
-            own = branches.setdefault(
+            track_branch = branches.setdefault(
                 key, _Branch(name, branch.span, branch.text, branch.condition.text)
             )
-            own.truths += _truths(branch, why)
-            own.bodies += _bodies(branch, why)
-            own.evaluated += _evaluated(branch, why)
-            own.kept.append(_kept(branch, why))
-            own.truths_left_out += branch.condition.changes_left_out
-            own.bodies_left_out += branch.bodies.left_out
+            track_branch.truths += _truths(branch, why)
+            track_branch.bodies += _bodies(branch, why)
+            track_branch.evaluated += _evaluated(branch, why)
+            track_branch.kept.append(_kept(branch, why))
+            track_branch.truths_left_out += branch.condition.changes_left_out
+            track_branch.bodies_left_out += branch.bodies.left_out
             if idle:
                 reasons = (why_never(cycle, branch, last_tick, one) for one in words)
-                own.why_not = Text(*reasons)
-    for own in branches.values():
-        if own.truths or (idle and own.condition and not own.bodies):
-            yield _track(own, "condition", own.truths, own.truths_left_out, own.evaluated)
-    for own in branches.values():
-        if own.bodies or idle:
-            begin_us, end_us = max(own.kept)
-            yield _track(own, "reaction", own.bodies, own.bodies_left_out, [(begin_us, end_us)])
+                track_branch.why_not = Text(*reasons)
+    for track_branch in branches.values():
+        if track_branch.truths or (idle and track_branch.condition and not track_branch.bodies):
+            yield _track(
+                track_branch,
+                "condition",
+                track_branch.truths,
+                track_branch.truths_left_out,
+                track_branch.evaluated,
+            )
+    for track_branch in branches.values():
+        if track_branch.bodies or idle:
+            begin_us, end_us = max(track_branch.kept)
+            yield _track(
+                track_branch,
+                "reaction",
+                track_branch.bodies,
+                track_branch.bodies_left_out,
+                [(begin_us, end_us)],
+            )
 
 
 def _track(
-    own: _Branch,
+    track_branch: _Branch,
     kind: TrackKind,
     slices: list[Slice],
     left_out: int,
     known: list[tuple[int, int]],
 ) -> Track:
     ordered = tuple(sorted(slices, key=lambda item: item.begin_us))
-    label = f"{own.group}: {own.span.line}"
-    why_not = Text("", "") if slices else own.why_not
-    places = own.group, own.span, own.text
+    label = f"{track_branch.group}: {track_branch.span.line}"
+    why_not = Text("", "") if slices else track_branch.why_not
+    places = track_branch.group, track_branch.span, track_branch.text
     return Track(kind, label, ordered, *places, left_out, why_not, tuple(sorted(known)))
 
 

@@ -104,10 +104,12 @@ def _places_of(
 def _offsets_of(
     channel: ChannelConfiguration, places: ChannelPlaces, realtime: RealtimePart
 ) -> ActiveOffsets:
-    own = places.own_axes(places.listed)
-    kinematics = ChannelKinematics(channel.parameters, own)
+    listed_axes = places.own_axes(places.listed)
+    kinematics = ChannelKinematics(channel.parameters, listed_axes)
     transformation = ActiveTransformation(kinematics, realtime.axes.transformations)
-    return ActiveOffsets(own.members, channel.zero_offsets, channel.clamp_offsets, transformation)
+    return ActiveOffsets(
+        listed_axes.members, channel.zero_offsets, channel.clamp_offsets, transformation
+    )
 
 
 def _default_signals(channel: AssembledChannel) -> list[str]:
@@ -261,25 +263,25 @@ class AssembledMachine:
 
         ``names``: those of a program that fetches axes.
         """
-        own = self.assembled[channel]
+        assembled = self.assembled[channel]
         environment = DecoderEnvironment(
-            names or own.names,
-            own.parameters,
-            indices_of(own.places.present),
-            tuple(map(own.places.axis_of, own.places.present)),
-            own.offsets,
-            own.configuration.tools,
+            names or assembled.names,
+            assembled.parameters,
+            indices_of(assembled.places.present),
+            tuple(map(assembled.places.axis_of, assembled.places.present)),
+            assembled.offsets,
+            assembled.configuration.tools,
             self.cells,
             self.layout.panel_cell(channel) + PANEL_TOOLS,
             memoryview(self.memory),
             self.configuration.cycle_time_us,
             self.files.number,
             self.files.line_at,
-            partial(first_mistake, names or own.names, own.parameters),
+            partial(first_mistake, names or assembled.names, assembled.parameters),
             self.registry.add_user_text,
             self.registry.add_path,
             self.registry.add_modal,
-            own.spindle_gears,
+            assembled.spindle_gears,
             notice,
             subprogram,
             skip_levels,
@@ -290,7 +292,7 @@ class AssembledMachine:
             self.channels[channel].path.history_size,
             SignalsOfChannel(self.kernel, self.channels, channel),
             self.poll,
-            own.places,
+            assembled.places,
             self.realtime.kept_cycles if names is None else None,
         )
         return WatchedEnvironment(environment) if self.watches_decoder else environment
@@ -299,14 +301,14 @@ class AssembledMachine:
 
     def begin_program(self, channel: int) -> None:
         """Let the decoder of a channel begin with the axes of its list (P-CHAN-00460)."""
-        own = self.assembled[channel]
+        assembled = self.assembled[channel]
         spindles = self.channels[channel].executor.context.spindles
-        follow_executed(own.spindle_gears, spindles)
+        follow_executed(assembled.spindle_gears, spindles)
         factors = self.channels[channel].path.life.factors()
         self.controller_data[channel].follow_tool_life(*factors)
-        if own.places.is_exchanged:
-            own.places.present = own.places.listed
-            own.offsets.exchange(own.places.own_axes(own.places.listed))
+        if assembled.places.is_exchanged:
+            assembled.places.present = assembled.places.listed
+            assembled.offsets.exchange(assembled.places.own_axes(assembled.places.listed))
 
     def members_of(self, channel: int) -> list[int]:
         """Return the axes that the path of a channel has now (``Path.set_axes``)."""
@@ -314,12 +316,12 @@ class AssembledMachine:
 
     def exchange(self, channel: int, command: ExchangeAxes) -> tuple[float, ...]:
         """Let a channel have the axes of a command; return their positions."""
-        own = self.channels[channel]
+        realtime = self.channels[channel]
         before = self.members_of(channel)
-        own.exchange.exchange(self.kernel.tick, command.source, list(command.members))
+        realtime.exchange.exchange(self.kernel.tick, command.source, list(command.members))
         count = len(self.configuration.axes)
         axes = [self.configuration.axes[i if i < count else 0] for i in command.members]
-        apply_axis_limits(own.queue.look_ahead.limits, axes)
+        apply_axis_limits(realtime.queue.look_ahead.limits, axes)
         for axis in {*before, *command.members} - {*before}.intersection(command.members):
             for kind in range(codes.OFFSET_KINDS) if axis < count else ():
                 self.axes.shift(axis, kind, 0.0)

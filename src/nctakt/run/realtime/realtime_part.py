@@ -89,13 +89,13 @@ class RealtimePart:
 
     def _channel(self, index: int, layout: Layout) -> Channel:
         configuration = self._configuration
-        own = configuration.channels[index]
-        parameters = own.parameters
-        members = [axis.index for axis in own.axes]
+        channel_lists = configuration.channels[index]
+        parameters = channel_lists.parameters
+        members = [axis.index for axis in channel_lists.axes]
         first = layout.channel_cell(index)
-        history_bytes = own.startup.backward_memory_bytes if self._has_history else 0
+        history_bytes = channel_lists.startup.backward_memory_bytes if self._has_history else 0
         room = max(len(members), self._room) if {*self.path_axes.values()} - {*members} else 0
-        c_axis = configuration.c_axis_of(own)
+        c_axis = configuration.c_axis_of(channel_lists)
         if self.c_axes:
             room = max(len(members), room, MAIN_AXES) + len(self.c_axes)
         timers = layout.tables[index].resolve("RTG", (("TIMER", 1),))
@@ -118,13 +118,13 @@ class RealtimePart:
             look_ahead(
                 [configuration.axes[i] for i in members],
                 configuration.cycle_time_us,
-                own.startup.look_ahead_blocks,
+                channel_lists.startup.look_ahead_blocks,
                 parameters.max_override_pct,
                 room,
             ),
             self.single_axes,
         )
-        _set_functions(channel, own)
+        _set_functions(channel, channel_lists)
         limits = parameters.realtime_cycles
         spindles = channel_spindles(configuration, index, layout, self.memory, self.record)
         channel.executor.set_spindles(spindles, limits.buffers)
@@ -134,7 +134,7 @@ class RealtimePart:
         channel.executor.tool_lives.omit_zero(life.omits_zero)
         if c_axis >= 0:
             main = [spindle.is_main for spindle in parameters.spindles].index(True)
-            channel.exchange.c_axis.configure(c_axis, spindles, main, own.number)
+            channel.exchange.c_axis.configure(c_axis, spindles, main, channel_lists.number)
         channel.silence_ticks = SILENCE_US // configuration.cycle_time_us
         channel.panel.show_size(channel.path.history_size)
         context = channel.context
@@ -149,11 +149,12 @@ class RealtimePart:
         return channel
 
 
-def _set_functions(channel: Channel, own: ChannelConfiguration) -> None:
+def _set_functions(channel: Channel, configuration: ChannelConfiguration) -> None:
     """Set the axis of each function of a channel, and how far ahead functions are output."""
-    parameters = own.parameters
+    parameters = configuration.parameters
     for section in (channel.hli.program, channel.hli.realtime):
         section.set_areas(
-            axes_of(parameters.m_functions, own), axes_of(parameters.h_functions, own)
+            axes_of(parameters.m_functions, configuration),
+            axes_of(parameters.h_functions, configuration),
         )
     channel.low_water = max(channel.low_water, parameters.blocks_ahead)

@@ -35,19 +35,19 @@ class Branch:
     def all_inputs(self, before: int | None = None) -> list[Input]:
         """Return its inputs from the start on, up to but without tick ``before``."""
         inherited = [] if self.parent is None else self.parent.all_inputs(self.first_tick)
-        own = self.inputs
+        inputs = self.inputs
         if before is not None:
-            own = own[: index_of(own, before)]
+            inputs = inputs[: index_of(inputs, before)]
             inherited = [one for one in inherited if one.tick < before]
-        return inherited + own
+        return inherited + inputs
 
     def inputs_from(self, tick: int) -> list[Input]:
         """Return its inputs from a tick on."""
-        own = self.inputs[index_of(self.inputs, tick) :]
+        inputs = self.inputs[index_of(self.inputs, tick) :]
         if self.parent is None or tick >= self.first_tick:
-            return own
+            return inputs
         inherited = self.parent.inputs_from(tick)
-        return inherited[: index_of(inherited, self.first_tick)] + own
+        return inherited[: index_of(inherited, self.first_tick)] + inputs
 
     def shares(self, other: Branch, tick: int) -> bool:
         """Return whether a state of ``other`` before a tick also belongs to this branch."""
@@ -85,19 +85,19 @@ class Branch:
 
     def mark_at(self, tick: int) -> PastMark | None:
         """Return the last mark at or before a tick, ``None`` if there is none."""
-        own = self.record.mark_at(tick)
-        if own is None and self.parent is not None:
+        mark = self.record.mark_at(tick)
+        if mark is None and self.parent is not None:
             return self.parent.mark_at(min(tick, self.first_tick))
-        return own
+        return mark
 
     def mark_before_work(self, work_us: float) -> PastMark | None:
         """Return the last mark up to which the run took at most this long."""
-        own = self.record.mark_before_work(work_us)
-        if own is None and self.parent is not None:
-            own = self.parent.mark_before_work(work_us)
-            if own is not None and own.tick > self.first_tick:
+        mark = self.record.mark_before_work(work_us)
+        if mark is None and self.parent is not None:
+            mark = self.parent.mark_before_work(work_us)
+            if mark is not None and mark.tick > self.first_tick:
                 return self.parent.mark_at(self.first_tick)
-        return own
+        return mark
 
     def work_at(self, tick: int) -> float:
         """Return how long the run up to a tick took, in microseconds; estimated between marks."""

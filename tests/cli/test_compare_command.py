@@ -9,7 +9,10 @@ from pathlib import Path
 import numpy
 import pytest
 
+from nctakt.base.failure import Failure
 from nctakt.cli import main
+from nctakt.comparison.mapping import read_mapping
+from nctakt.files.access import FileAccess
 from nctakt.run.controller import Controller
 
 PART = "N10 G01 X100 Y50 F6000\nN20 X0\nN30 G04 0.2\nN40 Y0 X30\nN50 X80 F3000\nM30\n"
@@ -164,6 +167,31 @@ def test_a_given_drift(capsys: pytest.CaptureFixture[str]) -> None:
         without, given = capsys.readouterr().out.split("part.nc and scope.csv")[1:]
         assert f"{reported} 0.00 ppm" in without
         assert f"{reported} -500.00 ppm as given" in given
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "marked"),
+    [
+        ("[signals]\nX = \n", ":2:5:", ""),
+        ("[log]\ntime = 'ms'\ntimes = 5\n", ":3:1:", "times"),
+        ("[signals]\nY = 'y'\n'X' = { log = 'x', factor = 'z' }\n", ":3:20:", "factor"),
+        ("[signals.X]\nlog = 'x'\ntolerance = 'wide'\n", ":3:1:", "tolerance"),
+        ("[other]\na = 1\n", ":1:2:", "other"),
+    ],
+)
+def test_a_mistake_of_the_mapping_is_marked(
+    tmp_path: Path, text: str, place: str, marked: str
+) -> None:
+    """902521: line, column and the entry itself."""
+    path = tmp_path / "map.toml"
+    path.write_text(text, "utf-8")
+    with pytest.raises(Failure) as raised:
+        read_mapping(path, FileAccess())
+    (found,) = raised.value.diagnostics
+    assert f"map.toml{place} error 902521" in found.headline()
+    assert found.span is not None
+    line = text.splitlines()[found.span.line - 1]
+    assert not marked or line[found.span.column - 1 : found.span.end_column - 1] == marked
 
 
 @pytest.mark.parametrize(

@@ -99,6 +99,8 @@ VALUE = '[[vary]]\nvariable = "V.E.VALUE"\nvalues = [1]\n'
         ),
         ('[[vary]]\nvariable = "V.E.VALUE"\nfrom = nan\nto = 2\n', (901302, 4)),
         ('[[vary]]\nvariable = "V.E.VALUE"\nvalues = [inf]\n', (901302, 4)),
+        ('[[vary]]\nvariable = "V.E.VALUE"\nfrom = 0\nto = 2\nstep = "x"\n', (901302, 6)),
+        ('[[vary]]\nvariable = "V.E.VALUE"\nfrom = 0\nto = 2\nstep = -1\n', (901302, 6)),
         ('[[vary]]\nplc_returns = "yes"\nvalues = ["1 s"]\n', (901303, 2)),
         ('[[vary]]\nseries = "a"\nvalues = ["nowhere.csv"]\n', (901302, 4)),
         ('method = "latin"\ncount = 100000000\n', (901302, 3)),

@@ -71,6 +71,7 @@ def test_each_test_of_a_suite_is_one_test(folder: Path, capsys: pytest.CaptureFi
     assert cases["right"].get("time") == "0.020"
     assert (cases["wrong"].get("file"), cases["wrong"].get("line")) == ("suites.st", "5")
     assert cases["wrong"][0].text == failure
+    assert cases["wrong"][0].get("type") == "AssertionError"
     shown_as = [cases[name].get("status") for name in ("right", "wrong", "later", "expectations")]
     assert shown_as == ["PASS", "FAIL", "SKIP", None]
     other, suite = ElementTree.parse("report.xml").getroot()

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import math
 import re
-import tomllib
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -23,6 +22,7 @@ from nctakt.base.misspelling import nearest
 from nctakt.base.unit_factors import factor_between
 from nctakt.comparison.log import Log, LogColumn
 from nctakt.files.access import FileAccess
+from nctakt.files.toml_text import TomlError, entry_place, read_toml
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import (
     COLUMN_UNKNOWN,
@@ -120,32 +120,39 @@ def read_mapping(path: str | Path, access: FileAccess) -> MappingFile:
     """Return a mapping file; raises ``Failure`` (902521) for any other file."""
     try:
         text = access.read_bytes(Path(path)).decode("utf-8")
-        content = tomllib.loads(text)
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError) as error:
+        content = read_toml(str(path), text)
+    except UnicodeDecodeError as error:
         raise Failure(diagnostic(MAPPING_UNREADABLE, file=str(path), reason=str(error))) from error
+    except TomlError as error:
+        reason = str(error)
+        raise Failure(
+            diagnostic(MAPPING_UNREADABLE, error.span, error.line, file=str(path), reason=reason)
+        ) from error
     found = MappingFile()
 
-    def refuse(reason: str) -> Failure:
-        return Failure(diagnostic(MAPPING_UNREADABLE, file=str(path), reason=reason))
+    def refuse(*keys: str, reason: str = "") -> Failure:
+        span, line = entry_place(str(path), text, keys)
+        reason = reason or ".".join(keys)
+        return Failure(diagnostic(MAPPING_UNREADABLE, span, line, file=str(path), reason=reason))
 
     for name, part in content.items():
         if name not in ("log", "signals") or not isinstance(part, dict):
-            raise refuse(f"{name} is neither [log] nor [signals]")
+            raise refuse(name, reason=f"{name} is neither [log] nor [signals]")
     for key, value in content.get("log", {}).items():
         if key not in _LOG_KEYS or not isinstance(value, str) or not value:
-            raise refuse(f"log.{key}")
+            raise refuse("log", key)
         found.log[key] = value
     for signal, said in content.get("signals", {}).items():
         words = {"log": said} if isinstance(said, str) else said
         if not isinstance(words, dict) or "log" not in words:
-            raise refuse(f"signals.{signal}")
+            raise refuse("signals", signal)
         for key, value in words.items():
             if not isinstance(value, _PAIR_KEYS.get(key, ())) or isinstance(value, bool):
-                raise refuse(f"signals.{signal}.{key}")
+                raise refuse("signals", signal, key)
         try:
             found.mappings[signal] = _column_mapping(words)
         except ValueError:
-            raise refuse(f"signals.{signal}.tolerance") from None
+            raise refuse("signals", signal, "tolerance") from None
     return found
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import Any
 
 from nctakt.base.diagnostics import Span, whole_file
@@ -31,3 +32,21 @@ def read_toml(file: str, text: str) -> dict[str, Any]:
         return tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # not TOML; an impossible date; too deep
         raise TomlError(file, text, str(error)) from error
+
+
+def entry_place(file: str, text: str, keys: Sequence[str]) -> tuple[Span, str]:
+    """Return where an entry is written, by its table and keys, and its line.
+
+    What is not found by its key is where its table is, else the whole file.
+    """
+    lines = text.splitlines()
+    span, shown, begin = whole_file(file), "", 0
+    for key in keys:
+        entry = re.compile(rf"""(?:^|[\s\[.,{{])(?P<key>["']?{re.escape(key)}["']?)\s*[=\].]""")
+        for number in range(begin, len(lines)):
+            found = entry.search(lines[number])
+            if found is not None:
+                begin, shown = number, lines[number]
+                span = Span(file, number + 1, found.start("key") + 1, found.end("key") + 1)
+                break
+    return span, shown

@@ -16,6 +16,8 @@ import pytest
 SUITE = "nctakt suite"
 _COUNTED = {"failure": "failures", "skipped": "skipped", "error": "errors"}
 _STATUS = {"failure": "FAIL", "error": "FAIL", "skipped": "SKIP"}
+#: The attribute ``type`` of a result, which the schema of JUnit wants and pytest leaves out.
+_TYPES = {"failure": "AssertionError", "error": "Error"}
 
 
 class ReportName:
@@ -34,9 +36,12 @@ class ReportName:
 
 
 def group_suites(report: Path) -> None:
-    """Give each suite of the PLC its own ``testsuite``, and its tests their status."""
+    """Give each suite of the PLC its own ``testsuite``, its tests their status, results a type."""
     tree = ElementTree.parse(report)
     root = tree.getroot()
+    for tag, name in _TYPES.items():
+        for result in root.iter(tag):
+            result.attrib.setdefault("type", name)
     suites: dict[tuple[str, str], ElementTree.Element] = {}
     for whole in list(root):
         for case in list(whole):

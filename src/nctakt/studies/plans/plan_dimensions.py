@@ -183,7 +183,10 @@ class DimensionReader:
         """Return the lowest and the highest value, and the step."""
         entry = self._entry
         is_time = kind in TIME_KINDS
-        low, high, step = (self._bound(key, is_time) for key in ("from", "to", "step"))
+        low, high = (self._bound(key, is_time) for key in ("from", "to"))
+        known = len(self._reader.diagnostics)
+        step = self._bound("step", is_time)
+        is_read = len(self._reader.diagnostics) == known
         if entry.get("each_tick") is True:
             return low, high if "to" in entry else END_OF_RUN, step or self._tick_us()
         if self._reader.truth(entry, "each_phase", "vary", self._number):
@@ -202,7 +205,7 @@ class DimensionReader:
         elif has_span and not ("from" in entry and "to" in entry):
             key = "to" if "from" in entry else "from"
             self._reader.missing(key, f"vary {self._number + 1}", self._number, "vary")
-        if "step" in entry and step <= 0:
+        if "step" in entry and is_read and step <= 0:
             self._wrong("step", entry["step"], _STEP)
         return low, high, step
 

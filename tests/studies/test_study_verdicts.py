@@ -163,8 +163,9 @@ def test_by_chance_runs_are_made_again_for_each_dimension(
     text += '[[vary]]\nvariable = "V.E.VALUE"\nfrom = 0.0\nto = 1.0\n'
     text += '[[vary]]\ntime_of = "V.E.TRIGGER = 1"\nfrom = "150 ms"\nto = "195 ms"\n'
     Path("plan.toml").write_text(text, "utf-8")
-    assert main(["study", "plan.toml"]) == 0
+    assert main(["study", "plan.toml", "--report", "page.html"]) == 0
     assert "warning 902061: M9 has shown no effect: 4 runs" in capsys.readouterr().err
+    assert "M9 has shown no effect: 4 runs" in Path("page.html").read_text("utf-8")
 
 
 def rows_of(*runs: tuple[int, int, str]) -> list[dict[str, Any]]:

@@ -290,15 +290,16 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
     from nctakt.cli.results.study_summary import shrunk_lines, summary  # noqa: PLC0415 - as above
 
     commands = commands_of(study, result, file, words)
+    repeated = study.without_shown_effect(result)
     if words["report"] is not None:
         from nctakt.files.output import write_file  # noqa: PLC0415 - few studies have one
 
-        page = result.report(words["language"], commands, picture_of(study, words))
+        page = result.report(words["language"], commands, picture_of(study, words), repeated)
         write_file(words["report"], page)
     for line in summary(study, result, file, commands, words["language"]):
         click.echo(line)
     _report_without_effect(result.without_effect, words)
-    _report_no_effect_shown(study, result, words)
+    _report_no_effect_shown(repeated, words)
     if words["shrink"] and result.first_broken(1):
         for line in shrunk_lines(study, result, words["language"]):
             click.echo(line)
@@ -323,13 +324,12 @@ def _report_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:
     print_diagnostics(found, words["language"])
 
 
-def _report_no_effect_shown(study: Study, result: StudyResult, words: dict[str, Any]) -> None:
+def _report_no_effect_shown(repeated: Sequence[tuple[str, int]], words: dict[str, Any]) -> None:
     """Warn of dimensions of random points that changed nothing where that was tried (902061)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
     from nctakt.messages.commands.studies import NO_EFFECT_SHOWN  # noqa: PLC0415
 
-    shown = study.without_shown_effect(result)
-    found = [diagnostic(NO_EFFECT_SHOWN, name=name, count=count) for name, count in shown]
+    found = [diagnostic(NO_EFFECT_SHOWN, name=name, count=count) for name, count in repeated]
     print_diagnostics(found, words["language"])
 
 

@@ -19,7 +19,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
 from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.studies import DIMENSION_WITHOUT_EFFECT
+from nctakt.messages.commands.studies import DIMENSION_WITHOUT_EFFECT, NO_EFFECT_SHOWN
 from nctakt.studies import charts
 from nctakt.studies.measuring.measures import as_text
 from nctakt.studies.plans.plan import Plan
@@ -102,11 +102,13 @@ _TEXTS = {
 class ShownRuns:
     """What a page says of single runs, by their numbers.
 
-    ``command`` shows a run; ``picture`` returns a PNG file, ``None`` if there can be none.
+    ``command`` shows a run; ``picture`` returns a PNG file, ``None`` if there can be none;
+    ``repeated``: dimensions of which another value changed nothing in so many repeated runs.
     """
 
     command: Callable[[int], str] | None = None
     picture: Callable[[int], bytes | None] | None = None
+    repeated: Sequence[tuple[str, int]] = ()
 
 
 def report(
@@ -186,7 +188,7 @@ class _Report:
     def page(self, shown: ShownRuns) -> str:
         """Return the page."""
         title = self._text("title", self._plan.program.name)
-        parts = [f"<h1>{escape(title)}</h1>", self._verdicts()]
+        parts = [f"<h1>{escape(title)}</h1>", self._verdicts(shown.repeated)]
         for key, pictures in (
             ("each_tick", self._strips()),
             ("measures", self._histograms()),
@@ -213,13 +215,14 @@ class _Report:
         charts_ = f'<div style="display: flex; flex-wrap: wrap">{"".join(pictures)}</div>'
         return self._verdicts() + charts_ + self._extremes(ShownRuns()) + self._table(None)
 
-    def _verdicts(self) -> str:
+    def _verdicts(self, repeated: Sequence[tuple[str, int]] = ()) -> str:
         expected = "".join(f"<li>{escape(one.text)}</li>" for one in self._plan.expectations)
         held = self._text("passed", self._held)
         if self._count:
             held += f", {share_text(self._held, self._count)}"
         broken = self._text("failed", self._count - self._held)
         dead = [diagnostic(DIMENSION_WITHOUT_EFFECT, name=name) for name in self._dead]
+        dead += [diagnostic(NO_EFFECT_SHOWN, name=name, count=count) for name, count in repeated]
         warnings = "".join(f"<p>{escape(one.text(self._language))}</p>" for one in dead)
         rest = ""
         if len(self._rows) < self._count:

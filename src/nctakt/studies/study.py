@@ -161,13 +161,14 @@ class StudyResult:
         language: Language = "en",
         command: Callable[[int], str] | None = None,
         picture: Callable[[int], bytes | None] | None = None,
+        repeated: Sequence[tuple[str, int]] = (),
     ) -> str:
         """Return the report: an HTML page that needs no network.
 
         ``command`` shows a run by its number, as ``Study.command`` does; ``picture`` draws it, as
-        ``Study.picture`` does.
+        ``Study.picture`` does; ``repeated``: the answer of ``Study.without_shown_effect``.
         """
-        shown = ShownRuns(command, picture)
+        shown = ShownRuns(command, picture, repeated)
         return report(self.plan, self.rows, self.units, language, shown, self.nominal)
 
     @property

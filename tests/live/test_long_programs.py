@@ -211,3 +211,29 @@ def test_words_are_explained_in_a_long_program(page: Any) -> None:
     expect(page.locator(".nc-tip-here")).to_contain_text("G01")
     page.keyboard.press("Escape")
     expect(page.locator(".nc-tip-here")).to_have_count(0)
+
+
+def test_lines_that_are_there_are_not_asked_for_again(page: Any) -> None:
+    """At a place that somebody scrolls to, the browser asks once."""
+    page.evaluate(
+        "() => { const emit = emitEvent; globalThis.asked = 0;"
+        " globalThis.emitEvent = (name, ...words) => {"
+        " if (name === 'nctakt_lines') globalThis.asked += 1; return emit(name, ...words); };"
+        " document.querySelector('.cm-scroller').scrollTop = 400000; }"
+    )
+    page.wait_for_function("globalThis.asked > 0")
+    page.wait_for_function(HAVE_COME)
+    page.wait_for_timeout(800)
+    assert page.evaluate("globalThis.asked") == 1
+
+
+def test_a_program_begins_to_show_before_the_page_is_built(page: Any, long: Path) -> None:
+    """Its first lines are in the page itself, without a script, and give way to the editor."""
+    begun = page.context.browser.new_page()
+    begun.route("**/nicegui.js", lambda _: None)  # no answer: nothing is built
+    begun.goto(page.url, wait_until="commit")
+    outset = begun.locator(".nc-outset pre")
+    expect(outset).to_be_visible()
+    assert outset.text_content().splitlines() == long.read_text("utf-8").splitlines()[:60]
+    begun.close()
+    expect(page.locator(".nc-outset")).to_be_hidden()

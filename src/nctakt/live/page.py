@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import html
 import json
 from collections.abc import Awaitable, Callable, Mapping, Sequence
 from pathlib import Path
@@ -69,6 +70,18 @@ _FOLDER = Path(__file__).parent
 _CSS = (_FOLDER / "page.css").read_text("utf-8")
 _SCRIPTS = [(_FOLDER / name).read_text("utf-8") for name in ("page_program.js", "page_events.js")]
 
+#: The first lines of a program, and characters of a line, that are shown while the page is built.
+_OUTSET_LINES, _OUTSET_CHARACTERS = 60, 200
+
+
+def _outset(lines: Sequence[str]) -> str:
+    """Return what a browser shows until its scripts have built the page: how the program begins."""
+    text = "\n".join(line[:_OUTSET_CHARACTERS] for line in lines[:_OUTSET_LINES])
+    return (
+        '<div class="nc-outset"><div class="nc-bar"><div class="nc-name">nctakt</div></div>'
+        f"<pre>{html.escape(text)}</pre></div>"
+    )
+
 
 class Page:
     """The page of one browser."""
@@ -107,8 +120,10 @@ class Page:
             script = script.replace("PROGRAM_NAME", json.dumps(texts["program"]))
             script = script.replace("PROGRAM_WORDS", json.dumps(words))
             ui.add_body_html(f"<script>{script}</script>")
+        ui.add_body_html(_outset(self._program.document.lines))
         ui.on("nctakt_key", self._key)
         ui.on("nctakt_dark", self._show_dark)
+        self._show_fields(shared.snapshot)  # so that the browser need not build the page twice
         ui.timer(_LOOK_S, self._follow)
         self._follow_commands(context.client)
 
@@ -211,7 +226,7 @@ class Page:
         """Show new data, once the browser has drawn the previous."""
         if self._drawings.are_behind:
             return
-        shared, snapshot = self._shared, self._shared.snapshot
+        snapshot = self._shared.snapshot
         self._looks += 1
         subject = self._subject_now()
         if subject != self._subject:
@@ -219,10 +234,16 @@ class Page:
             self._drawings.show_session()
             self._variables.show_session()
         self._drawings.follow(self._new_readings(snapshot))
-        if self._looks % _FIELDS_EVERY and snapshot.is_playing:
+        is_first = self._looks == 1  # the fields are as the page was built
+        if is_first or (self._looks % _FIELDS_EVERY and snapshot.is_playing):
             return
         if self._looks % _DISK_EVERY == 0:
             self._program.look_at_disk()
+        self._show_fields(snapshot)
+
+    def _show_fields(self, snapshot: Snapshot) -> None:
+        """Show everything but the drawings."""
+        shared = self._shared
         self._program.follow()
         self._show_pen()
         self._show_bar(snapshot)

@@ -51,7 +51,7 @@
     // A long program consists of empty lines; those in view are filled by request. If the user has
     // typed meanwhile, the request is repeated a few times only: the server may never get that text.
     const setColours = StateEffect.define(), colours = fieldOf(setColours), classes = new Map();
-    const lock = new CM.Compartment();
+    const lock = new CM.Compartment(), FIRST_LINES = 60; // as many as most windows show
     let timer = 0, tries = 0, edition = -1, isLong = false, covered = [0, -1];
     const askLines = (after) => {
       timer ||= setTimeout(() => {
@@ -60,7 +60,7 @@
         const first = doc.lineAt(from).number, last = doc.lineAt(to).number;
         if (isLong && covered[0] <= first && last <= covered[1]) return;
         covered = [0, -1];
-        emitEvent("nctakt_lines", { first, last });
+        emitEvent("nctakt_lines", { first, last: edition < 0 ? Math.max(last, FIRST_LINES) : last });
       }, after);
     };
     const look = EditorView.updateListener.of((update) => {
@@ -90,6 +90,7 @@
       showMarks();
     };
     const show = (number, length, first, lines) => {
+      if (number < edition || (number === edition && length && !isLong)) return; // the text has been replaced since
       if (length && number !== edition) hold(length);
       if (!length && isLong) hold(0);
       const isNew = number !== edition;
@@ -104,6 +105,7 @@
         for (const [start, end, name] of tokens) found.push(markOf(name).range(line.from + start, line.from + end));
       });
       view.dispatch({ effects: setColours.of(Decoration.set(found)) });
+      covered = isOther ? [0, -1] : [first, first + lines.length - 1];
       if (isNew && length) askLines(0);
       else if (isOther && tries < 10) { tries += 1; askLines(300); }
     };
@@ -331,10 +333,7 @@
       mark(found, block = 0, first = 0, lines = []) {
         known = found;
         const follows = isLong && block > 0 && block <= view.state.doc.lines && globalThis.nctaktFollows();
-        if (follows && lines.length) {
-          show(edition, view.state.doc.lines, first, lines);
-          covered = [first, first + lines.length - 1];
-        }
+        if (follows && lines.length) show(edition, view.state.doc.lines, first, lines);
         showMarks();
         if (follows) follow(view.state.doc.line(block).from);
       },

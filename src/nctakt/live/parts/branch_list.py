@@ -60,11 +60,11 @@ class BranchList:
         with self._rows:
             for number, (parent, first) in origins.items():
                 marked = " message" if number == present else ""
-                row = ui.element("div").classes(f"nc-row nc-finding{marked}")
+                row = ui.element("div").classes(f"nc-row nc-branch nc-finding{marked}")
                 with row.props(f"data-testid=branch-{number}"):
                     ui.label(f"{texts['branch']} {number}").classes("nc-number")
                     name = ui.input(value=names.get(number, ""), placeholder=texts["branch_name"])
-                    name.props(f"dense borderless maxlength={_MAX_NAME}").classes("col")
+                    name.props(f"dense borderless maxlength={_MAX_NAME}")
                     named(name, f"{texts['branch_name']}: {number}")
                     name.on("change", partial(self._rename, number, name))
                     self._fields[number] = name

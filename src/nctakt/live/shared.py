@@ -36,8 +36,9 @@ from nctakt.session.stops import StopAt
 #: Where the page's inputs come from, on the tape.
 PAGE = "page"
 
-#: Frames per second of a session, and how long the thread waits for one.
+#: Frames per second of a session, fewer at full speed, and how long the thread waits for one.
 RATE_HZ = 20.0
+FAST_RATE_HZ = 10.0
 _WAIT_S = 0.2
 
 #: How long nothing must have changed before the past is read, so that reading delays
@@ -358,6 +359,8 @@ class SharedSession:
 
     def _take(self, session: Session, listener: Listener) -> None:
         """Take a frame, or the changes of a command; and the notices."""
+        is_fast = session.is_playing and session.speed is None
+        listener.rate_hz = FAST_RATE_HZ if is_fast else RATE_HZ
         wait_s = _WAIT_S if self._has_rested else _REST_S
         frame = listener.take(0.0 if self._wake.is_set() else wait_s)
         was_woken = self._wake.is_set()

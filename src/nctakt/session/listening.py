@@ -23,7 +23,7 @@ from nctakt.results.trace.events import Event
 MAX_NOTICES = 1000
 
 #: Events that wait in a listener's frame at most; how many were left out is reported.
-MAX_FRAME_EVENTS = 1000
+MAX_FRAME_EVENTS = 2000
 
 NoticeKind = Literal["stopped", "ended", "branch", "travelled", "refused", "closed"]
 
@@ -79,7 +79,7 @@ class Listener:
     ) -> None:
         self.signals = tuple(signals)
         self.wants_events = wants_events
-        self._distance_s = 1.0 / rate_hz
+        self.rate_hz = rate_hz
         self._due = 0.0
         self._changed = threading.Condition()
         self._frame: Frame | None = None
@@ -96,7 +96,8 @@ class Listener:
         """Give it a frame; a frame that it has not taken is merged into it."""
         now_s = time.monotonic()
         # absolute times, so that slices of 10 ms do not make 20 frames a second 17
-        self._due = max(self._due, now_s - self._distance_s) + self._distance_s
+        distance_s = 1.0 / self.rate_hz
+        self._due = max(self._due, now_s - distance_s) + distance_s
         with self._changed:
             if self._frame is not None:
                 self._missed += 1

@@ -23,7 +23,7 @@ from nctakt.kernel import rows
 from nctakt.session.stops import EventFilter
 
 #: Ticks whose lowest and highest values are kept together; at most this many are recorded at once.
-EXTENT_TICKS = 4096
+EXTENT_TICKS = 16_384
 
 #: Signals that a session records at most by default.
 MAX_SIGNALS = 64
@@ -131,7 +131,8 @@ class ColumnTrail:
     def rest(self, data: bytes) -> bytes:
         """Gather the writes among rows of events; return the other rows."""
         found = np.frombuffer(data, np.float64).reshape(-1, rows.EVENT_WIDTH)
-        is_write = np.isin(found[:, rows.EVENT_KIND], WRITES)
+        kinds = found[:, rows.EVENT_KIND]
+        is_write: NDArray[np.bool_] = np.logical_or(*(kinds == kind for kind in WRITES))
         self.writes(found[is_write])
         return found[~is_write].tobytes()
 

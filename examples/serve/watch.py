@@ -11,13 +11,13 @@ import pyads
 
 
 def note(handle: int, name: str, moment: datetime, value: int) -> None:
-    """Tell each change."""
+    """Print each change."""
     print(moment.time(), name, value)
 
 
 plc = pyads.Connection("127.0.0.1.1.1", 851, "127.0.0.1")
 with plc:
-    print("X stands at", plc.read_by_name("X.ACS.ACT_POS"), "mm")
+    print("X is at", plc.read_by_name("X.ACS.ACT_POS"), "mm")
 
     attributes = pyads.NotificationAttrib(4, pyads.ADSTRANS_SERVERONCHA)
     listener = plc.notification(pyads.PLCTYPE_UDINT)(note)

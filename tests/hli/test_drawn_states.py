@@ -163,7 +163,7 @@ class OperationMode:
             "`to_state` 15": lambda: self.go(15, ticks=1),
             "the program ends": lambda: self.session.step(700),
             "the program has an error": self.fail,
-            "the path stands": self.rest,
+            "the path stops": self.rest,
         }
 
     def go(self, state: int, program: str = "", ticks: int = 3) -> None:
@@ -233,7 +233,7 @@ def cases() -> Iterator[tuple[str, str, str]]:
         states = dict.fromkeys([state for state, _ in table] + list(table.values()))
         assert set(states) == set(ways(title, first))
         for state, event in product(states, events):
-            if state != "RESETTING" or event == "the path stands":  # a reset ends by itself
+            if state != "RESETTING" or event == "the path stops":  # a reset ends by itself
                 yield title, state, event
 
 

@@ -87,8 +87,8 @@ def place_of(shown: dict[str, Any]) -> tuple[int, int]:
 
 def number_text(value: float) -> str:
     """Return a number of the scope's legend: that of ``short`` in JavaScript."""
-    if value.is_integer():
-        return str(int(value))
+    if value.is_integer():  # from 1e21 on JavaScript writes whole numbers with an exponent
+        return str(int(value)) if abs(value) < 1e21 else script_number(value)
     return script_number(float(f"{value:.6g}"))
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import enum
 import re
 from collections.abc import Callable, Mapping
-from typing import Literal
+from typing import Literal, NamedTuple
 
 from nctakt.base.dataclass import dataclass
 
@@ -100,6 +100,14 @@ class Cases:
     number_of: Callable[[Mapping[str, object]], int]
 
 
+class Wording(NamedTuple):
+    """What a message says, in English and German: format strings, and how the error comes about."""
+
+    text: tuple[str, str]
+    remedy: tuple[str, str]
+    cause: tuple[str, str]
+
+
 class Message:
     """A message of the catalogue, declared in ``messages/``; a slotted class, cheap to make.
 
@@ -112,11 +120,9 @@ class Message:
     """
 
     __slots__ = (
-        "_cause",
         "_explained",
         "_parameters",
-        "_remedy",
-        "_text",
+        "_wording",
         "cases",
         "clearing",
         "id",
@@ -129,24 +135,18 @@ class Message:
         self,
         number: int,
         severity: Severity,
-        text: tuple[str, str],
-        remedy: tuple[str, str],
-        cause: tuple[str, str],
+        wording: Wording,
         explained: Callable[[], Mapping[str, tuple[str, str]]],
-        reaction: int = 0,
-        clearing: int = 0,
+        classes: tuple[int, int],
         known_as: tuple[int, ...] = (),
         cases: Cases | None = None,
     ) -> None:
         self.id = number
         self.severity = severity
-        self._text = text
-        self._remedy = remedy
-        self._cause = cause
+        self._wording = wording
         self._explained = explained
         self._parameters: Mapping[str, tuple[str, str]] | None = None
-        self.reaction = reaction
-        self.clearing = clearing
+        self.reaction, self.clearing = classes
         self.known_as = known_as
         self.cases = cases
 
@@ -172,22 +172,22 @@ class Message:
         return (self.cases and self.cases.number_of(values)) or self.id
 
     def __repr__(self) -> str:
-        return f"<Message {self.id}: {self._text[0]}>"
+        return f"<Message {self.id}: {self._wording.text[0]}>"
 
     @property
     def text(self) -> Text:
         """The problem, with the parameters' names in braces."""
-        return Text(*self._text)
+        return Text(*self._wording.text)
 
     @property
     def remedy(self) -> Text:
         """The remedy, with the parameters' names in braces."""
-        return Text(*self._remedy)
+        return Text(*self._wording.remedy)
 
     @property
     def cause(self) -> Text:
         """The cause, for an explanation; empty if text and remedy say it all."""
-        return Text(*self._cause)
+        return Text(*self._wording.cause)
 
 
 @dataclass(frozen=True, slots=True, repr=False)

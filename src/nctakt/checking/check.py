@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
@@ -129,6 +129,29 @@ class _Waiting:
     role: Role
 
 
+@dataclass(slots=True)
+class _AcrossPrograms:
+    """What the programs of a call contain that only all of them together can be checked for.
+
+    ``called``: files that others call; ``subprogram_ends``: programs that end as subprograms do, by
+    the name of their file.
+    """
+
+    global_cycles: list[GlobalCycles] = field(default_factory=list)
+    uses: list[ProgramUses] = field(default_factory=list)
+    linked: list[LinkedProgram] = field(default_factory=list)
+    scripted: list[ScriptedProgram] = field(default_factory=list)
+    called: dict[Path, None] = field(default_factory=dict)
+    subprogram_ends: dict[str, Diagnostic] = field(default_factory=dict)
+
+    def report(self, collector: Collector) -> None:
+        """Report cycles that nothing ends, signals without a partner, impossible firings."""
+        never_deleted(self.global_cycles, collector)
+        report_missing_partners(self.uses, collector)
+        report_unlinked_cycles(self.linked, collector)
+        collector.diagnostics += impossible_firings(self.scripted)
+
+
 class _Checker:
     """Gathers the files and diagnostics of one call."""
 
@@ -160,14 +183,8 @@ class _Checker:
         self._waiting: list[_Waiting] = []
         self._known: dict[tuple[Path, Target], None] = {}
         self._names: dict[Path, Path] = {}
-        self._global_cycles: list[GlobalCycles] = []
-        self._uses: list[ProgramUses] = []
-        self._linked: list[LinkedProgram] = []
-        self._scripted: list[ScriptedProgram] = []
+        self._across = _AcrossPrograms()
         self._suppressions: dict[str, Suppressions] = {}
-        #: Files that others call; programs that end as subprograms do, by the name of their file.
-        self._called: dict[Path, None] = {}
-        self._subprogram_ends: dict[str, Diagnostic] = {}
 
     def check(self, inputs: Sequence[str | Path | NcText]) -> CheckResult:
         texts = [item for item in inputs if isinstance(item, NcText)]
@@ -201,10 +218,7 @@ class _Checker:
             [path for path in paths if path.is_file()], [text.name for text in texts]
         )
         collector = Collector()
-        never_deleted(self._global_cycles, collector)
-        report_missing_partners(self._uses, collector)
-        report_unlinked_cycles(self._linked, collector)
-        collector.diagnostics += impossible_firings(self._scripted)
+        self._across.report(collector)
         self._keep("", collector.diagnostics)
         files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
         machines = tuple(startup.parent.as_posix() for startup, _ in gathered.machines)
@@ -427,10 +441,10 @@ class _Checker:
 
     def _report_subprogram_ends(self, files: Sequence[Path], texts: Sequence[str]) -> None:
         """Report programs named by the user that end as subprograms and that nothing calls."""
-        names = [path.as_posix() for path in files if path.resolve() not in self._called]
+        names = [path.as_posix() for path in files if path.resolve() not in self._across.called]
         for name in (*names, *texts):
-            if name in self._subprogram_ends:
-                self._keep(name, [self._subprogram_ends[name]])
+            if name in self._across.subprogram_ends:
+                self._keep(name, [self._across.subprogram_ends[name]])
 
     def _queue(self, path: Path, targets: Sequence[Target], role: Role) -> None:
         """Queue a program for a check, once for each channel, by the name of the user's input."""
@@ -467,8 +481,8 @@ class _Checker:
             poll=self._poll,
             memory=memory,
         )
-        self._global_cycles.append(checked.global_cycles)
-        self._uses.append(
+        self._across.global_cycles.append(checked.global_cycles)
+        self._across.uses.append(
             ProgramUses(
                 name,
                 target.folder,
@@ -481,7 +495,7 @@ class _Checker:
                 role != "called" and checked.subprogram_end is None,
             )
         )
-        self._linked.append(
+        self._across.linked.append(
             LinkedProgram(
                 Path(name).resolve(),
                 [path.resolve() for path in checked.called],
@@ -493,16 +507,16 @@ class _Checker:
         collector.diagnostics += self._script(name, checked, target)
         self._keep(name, collector.diagnostics, (target.channel,))
         if checked.subprogram_end is not None:
-            self._subprogram_ends[name] = checked.subprogram_end
+            self._across.subprogram_ends[name] = checked.subprogram_end
         for path in checked.called:
-            self._called[path.resolve()] = None
+            self._across.called[path.resolve()] = None
             is_input = path.resolve() in self._names
             self._queue(path, (target,), "either" if is_input else "called")
 
     def _script(self, name: str, checked: Checked, target: Target) -> Iterator[Diagnostic]:
         """Keep the expectations in a program's comments; return those that no run could meet."""
         expected = checked.script.expectations
-        self._scripted.append(
+        self._across.scripted.append(
             ScriptedProgram(
                 Path(name).resolve(),
                 [one for one in expected if one.kind == "fired" and one.about is not None],

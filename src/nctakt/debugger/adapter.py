@@ -16,6 +16,7 @@ import traceback
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.base.failure import Failure, error_text
 from nctakt.debugger.arguments import Arguments
@@ -82,6 +83,26 @@ class Enter(Protocol):
 _ENDING = ("pause", "cancel", "terminate", "disconnect", "restart")
 
 
+@dataclass(frozen=True, slots=True)
+class Counting:
+    """How a client counts lines and columns: from 1 on, as nctakt does, or from 0 on."""
+
+    first_line: int = 1
+    first_column: int = 1
+
+    def outgoing(self, body: Any) -> Any:
+        """Return a body of nctakt with lines and columns as the client counts them."""
+        if self.first_line == 1 and self.first_column == 1:
+            return body
+        return _shifted(body, self.first_line - 1, self.first_column - 1)
+
+    def incoming(self, body: Any) -> Any:
+        """Return a body of the client with lines and columns counted from 1 on."""
+        if self.first_line == 1 and self.first_column == 1:
+            return body
+        return _shifted(body, 1 - self.first_line, 1 - self.first_column)
+
+
 class Adapter:
     """One client's debugger; ``folders``: the only ones whose files may be run.
 
@@ -112,7 +133,7 @@ class Adapter:
         self._relay: Relay | None = None
         self._initialized: Any = None
         self._abilities = Abilities()
-        self._first_line = self._first_column = 1
+        self._counting = Counting()
         self._breakpoints = Breakpoints()
         self._exceptions = ExceptionFilters()
         self._is_closed = self._is_configured = False
@@ -169,12 +190,12 @@ class Adapter:
 
     def send_event(self, event: str, body: dict[str, Any]) -> None:
         """Send an event."""
-        self._writer.write({"type": "event", "event": event, "body": self._outgoing(body)})
+        self._writer.write({"type": "event", "event": event, "body": self._counting.outgoing(body)})
 
     def _answer(self, request: Message, body: dict[str, Any] | None) -> None:
         answer = _answer_to(request, is_success=True)
         if body is not None:
-            answer["body"] = self._outgoing(body)
+            answer["body"] = self._counting.outgoing(body)
         self._writer.write(answer)
 
     def _answer_failure(self, request: Message, diagnostics: Sequence[Diagnostic]) -> None:
@@ -239,7 +260,7 @@ class Adapter:
         try:
             if command == "initialize":
                 self._initialized = message.get("arguments")
-            arguments = Arguments(self._incoming(message.get("arguments")))
+            arguments = Arguments(self._counting.incoming(message.get("arguments")))
             self._answer(message, self._handler(command)(arguments))
         except Relayed:
             assert self._relay is not None
@@ -296,24 +317,12 @@ class Adapter:
         else:
             debuggee.run()
 
-    # --- lines and columns ----------------------------------------------------------------------
-
-    def _outgoing(self, value: Any) -> Any:
-        """Return a body with lines and columns as the client counts them."""
-        if self._first_line == 1 and self._first_column == 1:
-            return value
-        return _shifted(value, self._first_line - 1, self._first_column - 1)
-
-    def _incoming(self, value: Any) -> Any:
-        if self._first_line == 1 and self._first_column == 1:
-            return value
-        return _shifted(value, 1 - self._first_line, 1 - self._first_column)
-
     # --- life -----------------------------------------------------------------------------------
 
     def _initialize(self, arguments: Arguments) -> dict[str, Any]:
-        self._first_line = 1 if arguments.flag("linesStartAt1", True) else 0
-        self._first_column = 1 if arguments.flag("columnsStartAt1", True) else 0
+        first_line = 1 if arguments.flag("linesStartAt1", True) else 0
+        first_column = 1 if arguments.flag("columnsStartAt1", True) else 0
+        self._counting = Counting(first_line, first_column)
         if arguments.text("locale", "").lower().startswith("de"):
             self._language = "de"
         self._abilities = Abilities(

@@ -16,6 +16,7 @@ from typing import Any
 from nicegui import ui
 from nicegui.element import Element
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.failure import Failure
 from nctakt.live import view
 from nctakt.live.conditions import MAX_FILTER, Condition, fitting
@@ -50,6 +51,19 @@ class PathView(Element, component="path.js", esm=_MODULES):
     """The path of the tool."""
 
 
+@dataclass(slots=True)
+class _Sent:
+    """What the browser has got: the latest content, whether the log, how many increments.
+
+    ``drawn``: how many of these it has drawn.
+    """
+
+    content: dict[str, Any] = field(default_factory=dict)
+    has_log: bool = False
+    number: int = 0
+    drawn: int = 0
+
+
 class Drawings:
     """Scope and path of one browser.
 
@@ -68,9 +82,8 @@ class Drawings:
         self._shared = commander.shared
         self._texts = commander.texts
         self._seen: dict[str, Seen] = {}
-        self._sent: dict[str, Any] = {}
-        self._has_sent_log = self._has_offered = False
-        self._number = self._drawn = 0
+        self._sent = _Sent()
+        self._has_offered = False
         self._stretches = Newest(self._send_stretch)
         self._build_scope()
         self._build_path()
@@ -168,14 +181,14 @@ class Drawings:
 
         Whether the session runs is sent nevertheless, once.
         """
-        is_urgent = self._sent.get("isPlaying") is not self._shared.snapshot.is_playing
-        return self._number - self._drawn >= MAX_UNDER_WAY + is_urgent
+        is_urgent = self._sent.content.get("isPlaying") is not self._shared.snapshot.is_playing
+        return self._sent.number - self._sent.drawn >= MAX_UNDER_WAY + is_urgent
 
     def note_drawn(self, event: Any) -> None:
         """Take up to which increment a browser has drawn."""
-        if isinstance(event.args, int) and self._drawn < event.args <= self._number:
+        if isinstance(event.args, int) and self._sent.drawn < event.args <= self._sent.number:
             was_behind = self.are_behind
-            self._drawn = event.args
+            self._sent.drawn = event.args
             if was_behind and not self._shared.snapshot.is_playing:
                 self._go_on()
 
@@ -199,7 +212,7 @@ class Drawings:
             "isPlaying": snapshot.is_playing,
             "bars": shared.explainer.bars(shared.moment, shared.file),
         }
-        if self._drawn:  # first of all the present
+        if self._sent.drawn:  # first of all the present
             now["future"] = shared.ahead.shown(shared.future_subject)
         self._show_future(now.get("future"))
         for name, part in track.parts.items():
@@ -211,14 +224,16 @@ class Drawings:
             return
         if list(self._signals.value) != shared.scope:  # another browser has chosen
             self._show_signals()
-        news |= {name: value for name, value in now.items() if self._sent.get(name) != value}
-        self._sent = now
-        if not self._has_sent_log:  # it never changes
-            self._has_sent_log = True
+        news |= {
+            name: value for name, value in now.items() if self._sent.content.get(name) != value
+        }
+        self._sent.content = now
+        if not self._sent.has_log:  # it never changes
+            self._sent.has_log = True
             news["logged"] = shared.logged
         if news:
-            self._number += 1
-            self._scope.run_method("take", news | {"number": self._number})
+            self._sent.number += 1
+            self._scope.run_method("take", news | {"number": self._sent.number})
 
     def _lanes_shown(self, conditions: Sequence[Condition]) -> list[int]:
         """Return the places of the conditions that fit the filter, and say how many they are."""

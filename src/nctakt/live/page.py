@@ -17,6 +17,7 @@ from typing import Any
 
 from nicegui import Client, context, ui
 
+from nctakt.base.dataclass import dataclass, field
 from nctakt.live import view
 from nctakt.live.document import Document
 from nctakt.live.drawings import Drawings
@@ -83,6 +84,22 @@ def _outset(lines: Sequence[str]) -> str:
     )
 
 
+@dataclass(slots=True)
+class _LatestLook:
+    """What the browser showed at its latest look at the session, so that only news is sent.
+
+    ``number``: that of the snapshot, ``count``: of the looks.
+    """
+
+    subject: tuple[object, ...]
+    stopped_at: tuple[int, str]
+    number: int = -1
+    count: int = 0
+    readings: dict[str, str] = field(default_factory=dict)
+    bar: tuple[object, ...] = ()
+    has_control: bool | None = None
+
+
 class Page:
     """The page of one browser."""
 
@@ -98,13 +115,7 @@ class Page:
         self._shared = shared
         self._texts = texts
         self._commander = Commander(shared, texts, context.client)
-        self._shown = -1
-        self._subject = self._subject_now()
-        self._readings: dict[str, str] = {}
-        self._bar: tuple[object, ...] = ()
-        self._control_shown: bool | None = None
-        self._stopped_at = shared.stopped_at
-        self._looks = 0
+        self._latest = _LatestLook(self._subject_now(), shared.stopped_at)
         ui.add_css(_CSS)
         self._dark, self._is_dark = ui.dark_mode(None), False
         self._help = Help(texts)
@@ -227,17 +238,17 @@ class Page:
         if self._drawings.are_behind:
             return
         snapshot = self._shared.snapshot
-        self._looks += 1
+        self._latest.count += 1
         subject = self._subject_now()
-        if subject != self._subject:
-            self._subject = subject
+        if subject != self._latest.subject:
+            self._latest.subject = subject
             self._drawings.show_session()
             self._variables.show_session()
         self._drawings.follow(self._new_readings(snapshot))
-        is_first = self._looks == 1  # the fields are as the page was built
-        if is_first or (self._looks % _FIELDS_EVERY and snapshot.is_playing):
+        is_first = self._latest.count == 1  # the fields are as the page was built
+        if is_first or (self._latest.count % _FIELDS_EVERY and snapshot.is_playing):
             return
-        if self._looks % _DISK_EVERY == 0:
+        if self._latest.count % _DISK_EVERY == 0:
             self._program.look_at_disk()
         self._show_fields(snapshot)
 
@@ -248,16 +259,16 @@ class Page:
         self._show_pen()
         self._show_bar(snapshot)
         self._lists.follow(self._program)
-        if snapshot.number == self._shown:
+        if snapshot.number == self._latest.number:
             return
-        self._shown = snapshot.number
+        self._latest.number = snapshot.number
         self._program.show(snapshot)
         self._panel.show(snapshot)
         self._functions.show(snapshot)
         self._variables.show(snapshot)
         self._lists.show(self._program)
-        if shared.stopped_at != self._stopped_at:
-            self._stopped_at = shared.stopped_at
+        if shared.stopped_at != self._latest.stopped_at:
+            self._latest.stopped_at = shared.stopped_at
             if shared.stopped_at[1]:
                 ui.notify(self._texts["stopped"].format(stops=shared.stopped_at[1]), timeout=3000)
 
@@ -269,8 +280,10 @@ class Page:
         readings = view.readings(
             snapshot, shared.axes, shared.prefix, shared.cycle_time_us, self._texts
         )
-        new = {name: text for name, text in readings.items() if self._readings.get(name) != text}
-        self._readings = readings
+        new = {
+            name: text for name, text in readings.items() if self._latest.readings.get(name) != text
+        }
+        self._latest.readings = readings
         return new
 
     def _show_bar(self, snapshot: Snapshot) -> None:
@@ -283,8 +296,8 @@ class Page:
         if self._shared.busy and not snapshot.is_playing:
             shown = self._texts["working"]
         bar = (shown, name, snapshot.run_state, snapshot.is_playing)
-        if bar != self._bar:
-            self._bar = bar
+        if bar != self._latest.bar:
+            self._latest.bar = bar
             kind = "error" if snapshot.run_state == "error" else name
             self._state.set_text(shown)
             self._state.classes(replace=f"nc-state {kind}")
@@ -292,8 +305,8 @@ class Page:
 
     def _show_pen(self) -> None:
         has_control = self._commander.has_control
-        if has_control != self._control_shown:
-            self._control_shown = has_control
+        if has_control != self._latest.has_control:
+            self._latest.has_control = has_control
             self._control.set_text("" if has_control else self._texts["take_control"])
             self._control.props(f"color={'positive' if has_control else 'warning'}")
             named(self._control, self._texts["in_control" if has_control else "take_control"])

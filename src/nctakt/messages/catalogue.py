@@ -12,7 +12,7 @@ from collections.abc import Callable
 from functools import cache, partial
 from string import Formatter
 
-from nctakt.base.diagnostics import Cases, Message, Severity
+from nctakt.base.diagnostics import Cases, Message, Severity, Wording
 from nctakt.messages.placeholders import COMMON
 
 #: The range of nctakt's own numbers; all others are the controller's.
@@ -57,11 +57,9 @@ def _declare(
     message = Message(
         number,
         severity,
-        (en, de),
-        (remedy_en, remedy_de),
-        (cause_en, cause_de),
+        Wording((en, de), (remedy_en, remedy_de), (cause_en, cause_de)),
         partial(_explained, f"{en}{remedy_en}", parameters),
-        *classes,
+        classes,
         known_as,
         cases,
     )

@@ -18,6 +18,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.scheduling.linux_run import SEMAPHORE_NOT_OPENED
@@ -68,6 +69,15 @@ class Gate:
                     return work()
 
 
+@dataclass(slots=True)
+class _OwnerJob:
+    """The latest job of the owner: when it was due, begun and done, in ns; 0: not yet."""
+
+    due: int = 0
+    begin: int = 0
+    end: int = 0
+
+
 class ScheduleThreads:
     """The threads of one controller, owned by the thread of the interpolation.
 
@@ -97,7 +107,7 @@ class ScheduleThreads:
         self._cycle = 0
         self._anchor = 0
         self._anchor_cycle = 0
-        self._begin = self._due = self._end = 0
+        self._job = _OwnerJob()
         self.suspends_at = 0
         self._before: _Placement | None = None
 
@@ -129,20 +139,20 @@ class ScheduleThreads:
                 continue
             own = self._own.number
             self._counters.due[own] += 1
-            if self._end > due:
+            if self._job.end > due:
                 self._counters.overflow(own, due)
                 self._counters.lost[own] += 1
                 return True, [own, *busy]
-            self._due, self._begin = due, self.now()
-            self._wakes[own].append(max(0, self._begin - due))
+            self._job.due, self._job.begin = due, self.now()
+            self._wakes[own].append(max(0, self._job.begin - due))
             return False, busy
 
     def finish(self) -> None:
         """Note that the owner's job is done."""
-        if self._begin > self._end:
-            self._end = self.now()
-            self._counters.busy[self._own.number] += self._end - self._begin
-            self._counters.finish(self._own.number, self._end - self._due)
+        if self._job.begin > self._job.end:
+            self._job.end = self.now()
+            self._counters.busy[self._own.number] += self._job.end - self._job.begin
+            self._counters.finish(self._own.number, self._job.end - self._job.due)
 
     def close(self) -> None:
         """End the threads, and remove the semaphores."""
@@ -166,7 +176,7 @@ class ScheduleThreads:
                 thread.start()
         self._anchor = self.now() + _LEAD
         self._anchor_cycle = self._cycle
-        self._begin = self._end = 0
+        self._job.begin = self._job.end = 0
 
     def _due_of(self, cycle: int) -> int:
         return self._anchor + (cycle - self._anchor_cycle) * self._model.cycle

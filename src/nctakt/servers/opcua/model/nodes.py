@@ -11,6 +11,7 @@ from typing import Any
 
 from asyncua import ua
 
+from nctakt.base.dataclass import dataclass
 from nctakt.servers.opcua.library import AddressSpace, AttributeValue, NodeData
 
 #: Kinds of references, as numbers of namespace 0.
@@ -36,6 +37,22 @@ _TYPE = standard(HAS_TYPE)
 def text(words: str, language: str = "en") -> ua.LocalizedText:
     """Return a text in a language."""
     return ua.LocalizedText(words, language)
+
+
+@dataclass(frozen=True, slots=True)
+class VariableValue:
+    """The value of a variable as clients see it: its type and shape, its first value, the rights.
+
+    ``dimensions``: the lengths of an array, none where they are open. ``interval_ms``: how often it
+    can change.
+    """
+
+    data_type: ua.NodeId
+    value: ua.DataValue
+    rank: int = SCALAR
+    dimensions: tuple[int, ...] = ()
+    rights: int = READ
+    interval_ms: float = 0.0
 
 
 class Nodes:
@@ -66,33 +83,23 @@ class Nodes:
         node: ua.NodeId,
         name: ua.QualifiedName,
         type_: ua.NodeId,
-        data_type: ua.NodeId,
-        value: ua.DataValue,
-        *,
-        rank: int = SCALAR,
-        dimensions: tuple[int, ...] = (),
-        rights: int = READ,
-        interval_ms: float = 0.0,
-        display: str = "",
-        description: str = "",
+        shown: VariableValue,
     ) -> ua.NodeId:
         """Add a variable with its first value."""
         kinds = ua.VariantType
         attributes: dict[ua.AttributeIds, tuple[Any, ua.VariantType]] = {
-            ua.AttributeIds.DataType: (data_type, kinds.NodeId),
-            ua.AttributeIds.ValueRank: (rank, kinds.Int32),
-            ua.AttributeIds.AccessLevel: (rights, kinds.Byte),
-            ua.AttributeIds.UserAccessLevel: (rights, kinds.Byte),
-            ua.AttributeIds.MinimumSamplingInterval: (interval_ms, kinds.Double),
-            ua.AttributeIds.Historizing: (bool(rights & HISTORY), kinds.Boolean),
+            ua.AttributeIds.DataType: (shown.data_type, kinds.NodeId),
+            ua.AttributeIds.ValueRank: (shown.rank, kinds.Int32),
+            ua.AttributeIds.AccessLevel: (shown.rights, kinds.Byte),
+            ua.AttributeIds.UserAccessLevel: (shown.rights, kinds.Byte),
+            ua.AttributeIds.MinimumSamplingInterval: (shown.interval_ms, kinds.Double),
+            ua.AttributeIds.Historizing: (bool(shown.rights & HISTORY), kinds.Boolean),
         }
-        if description:
-            attributes[ua.AttributeIds.Description] = text(description), kinds.LocalizedText
-        data = self._add(node, ua.NodeClass.Variable, name, attributes, display)
-        if dimensions:
-            shape = ua.Variant(list(dimensions), kinds.UInt32, is_array=True)
+        data = self._add(node, ua.NodeClass.Variable, name, attributes)
+        if shown.dimensions:
+            shape = ua.Variant(list(shown.dimensions), kinds.UInt32, is_array=True)
             data.attributes[ua.AttributeIds.ArrayDimensions] = AttributeValue(ua.DataValue(shape))
-        data.attributes[ua.AttributeIds.Value] = AttributeValue(value)
+        data.attributes[ua.AttributeIds.Value] = AttributeValue(shown.value)
         self.refer(node, HAS_TYPE, type_)
         return node
 
@@ -109,7 +116,7 @@ class Nodes:
         """Add a type of objects, variables or data below its base."""
         attributes = {ua.AttributeIds.IsAbstract: (is_abstract, ua.VariantType.Boolean)}
         attributes |= {ua.AttributeIds[word]: value for word, value in further.items()}
-        self._add(node, kind, name, attributes, "")
+        self._add(node, kind, name, attributes)
         self.refer(base, HAS_SUBTYPE, node)
         return node
 
@@ -120,7 +127,7 @@ class Nodes:
             ua.AttributeIds.Executable: (True, kinds.Boolean),
             ua.AttributeIds.UserExecutable: (True, kinds.Boolean),
         }
-        self._add(node, ua.NodeClass.Method, name, attributes, "")
+        self._add(node, ua.NodeClass.Method, name, attributes)
         for word, browse_name in (("inputs", "InputArguments"), ("outputs", "OutputArguments")):
             if arguments.get(word):
                 own = ua.NodeId(f"{node.Identifier}.{browse_name}", node.NamespaceIndex)
@@ -129,10 +136,12 @@ class Nodes:
                     own,
                     ua.QualifiedName(browse_name, 0),
                     standard(68),
-                    standard(296),
-                    ua.DataValue(listed),
-                    rank=ARRAY,
-                    dimensions=(len(arguments[word]),),
+                    VariableValue(
+                        standard(296),
+                        ua.DataValue(listed),
+                        rank=ARRAY,
+                        dimensions=(len(arguments[word]),),
+                    ),
                 )
                 self.refer(node, HAS_PROPERTY, own)
         return node
@@ -143,7 +152,7 @@ class Nodes:
         kind: ua.NodeClass,
         name: ua.QualifiedName,
         attributes: dict[Any, tuple[Any, ua.VariantType]],
-        display: str,
+        display: str = "",
     ) -> NodeData:
         if node in self.space:
             raise ValueError(f"{node} is there already")

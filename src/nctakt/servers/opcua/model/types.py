@@ -39,7 +39,16 @@ from nctakt.servers.opcua.model.companion import (
     Enumeration,
     ObjectType,
 )
-from nctakt.servers.opcua.model.nodes import ARRAY, READ, SCALAR, WRITE, Nodes, standard, text
+from nctakt.servers.opcua.model.nodes import (
+    ARRAY,
+    READ,
+    SCALAR,
+    WRITE,
+    Nodes,
+    VariableValue,
+    standard,
+    text,
+)
 
 #: Data types of namespace 0 by their names.
 DATA_TYPES = {
@@ -250,10 +259,9 @@ class CompanionTypes:
             self.id(enumeration.values_number),
             self.name(name, is_standard=True),
             standard(PROPERTY),
-            standard(data_type),
-            ua.DataValue(listed),
-            rank=ARRAY,
-            dimensions=(len(words),),
+            VariableValue(
+                standard(data_type), ua.DataValue(listed), rank=ARRAY, dimensions=(len(words),)
+            ),
         )
         self._hang(
             enumeration.number, enumeration.values_number, refs.HAS_PROPERTY, enumeration.rule
@@ -324,7 +332,12 @@ class CompanionTypes:
     ) -> None:
         kind = ua.VariantType.String if isinstance(value, str) else ua.VariantType.ByteString
         shown = ua.DataValue(ua.Variant(value, kind))
-        self._nodes.add_variable(self.id(number), name, standard(type_), standard(data_type), shown)
+        self._nodes.add_variable(
+            self.id(number),
+            name,
+            standard(type_),
+            VariableValue(standard(data_type), shown),
+        )
 
     # --- types of objects -----------------------------------------------------------------------
 
@@ -362,11 +375,13 @@ class CompanionTypes:
             self.id(number),
             self.name(component.name, is_standard=component.is_standard),
             self.type(component.type),
-            self.data_type(component.data_type),
-            ua.DataValue(),
-            rank=ARRAY if component.dimensions else SCALAR,
-            dimensions=component.dimensions if any(component.dimensions) else (),
-            rights=component.rights,
+            VariableValue(
+                self.data_type(component.data_type),
+                ua.DataValue(),
+                rank=ARRAY if component.dimensions else SCALAR,
+                dimensions=component.dimensions if any(component.dimensions) else (),
+                rights=component.rights,
+            ),
         )
         kind = refs.HAS_PROPERTY if component.type == PROPERTY else refs.HAS_COMPONENT
         self._hang(parent, number, kind, component.rule)
@@ -410,9 +425,7 @@ class CompanionTypes:
             self.id(number),
             name,
             standard(type_),
-            self.data_type(data_type),
-            ua.DataValue(),
-            rights=rights,
+            VariableValue(self.data_type(data_type), ua.DataValue(), rights=rights),
         )
         kind = refs.HAS_PROPERTY if type_ == PROPERTY else refs.HAS_COMPONENT
         self._hang(parent, number, kind, rule)

@@ -14,7 +14,7 @@ from asyncua import ua
 from nctakt.servers.opcua.live_space import LiveSpace
 from nctakt.servers.opcua.model import nodes as refs
 from nctakt.servers.opcua.model.companion import BASE_OBJECT, BASE_VARIABLE
-from nctakt.servers.opcua.model.nodes import Nodes, standard
+from nctakt.servers.opcua.model.nodes import Nodes, VariableValue, standard
 from nctakt.servers.opcua.space.machine_space import MachineSpace
 from nctakt.servers.opcua.values import Live, NotSupported, Value, ValueSnapshot
 from nctakt.session.engine import BranchState, CycleState
@@ -99,8 +99,10 @@ class CycleSpace:
             node,
             self._machine.name(name),
             standard(BASE_VARIABLE),
-            standard(int(kind)),
-            ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
+            VariableValue(
+                standard(int(kind)),
+                ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
+            ),
         )
         self._nodes.refer(self._machine.id(path), refs.HAS_COMPONENT, node)
         self._live.add(node, Live(kind, read, needs_state_view=True))

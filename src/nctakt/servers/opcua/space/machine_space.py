@@ -29,7 +29,16 @@ from nctakt.servers.opcua.model.companion import (
     PROPERTY,
     Component,
 )
-from nctakt.servers.opcua.model.nodes import ARRAY, HISTORY, READ, SCALAR, WRITE, Nodes, standard
+from nctakt.servers.opcua.model.nodes import (
+    ARRAY,
+    HISTORY,
+    READ,
+    SCALAR,
+    WRITE,
+    Nodes,
+    VariableValue,
+    standard,
+)
 from nctakt.servers.opcua.model.position import CncPositionDataType
 from nctakt.servers.opcua.model.types import ANALOG_PROPERTIES, CompanionTypes, all_components
 from nctakt.servers.opcua.space.components import (
@@ -248,12 +257,14 @@ class MachineSpace:
             self.id(node),
             self._types.name(component.name),
             self._types.type(component.type),
-            self._types.data_type(component.data_type),
-            ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
-            rank=ARRAY if component.dimensions else SCALAR,
-            dimensions=component.dimensions if any(component.dimensions) else (),
-            rights=rights,
-            interval_ms=_INTERVAL_MS,
+            VariableValue(
+                self._types.data_type(component.data_type),
+                ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
+                rank=ARRAY if component.dimensions else SCALAR,
+                dimensions=component.dimensions if any(component.dimensions) else (),
+                rights=rights,
+                interval_ms=_INTERVAL_MS,
+            ),
         )
         kind = refs.HAS_PROPERTY if component.type == PROPERTY else refs.HAS_COMPONENT
         self._nodes.refer(parent, kind, self.id(node))
@@ -306,8 +317,10 @@ class MachineSpace:
             self.id(f"{node}.{name}"),
             ua.QualifiedName(name, index),
             standard(PROPERTY),
-            self._types.data_type(_UNIT_TYPES[name]),
-            ua.DataValue(ua.Variant(value, ua.VariantType.ExtensionObject)),
+            VariableValue(
+                self._types.data_type(_UNIT_TYPES[name]),
+                ua.DataValue(ua.Variant(value, ua.VariantType.ExtensionObject)),
+            ),
         )
         self._nodes.refer(self.id(node), refs.HAS_PROPERTY, self.id(f"{node}.{name}"))
 
@@ -360,10 +373,12 @@ class MachineSpace:
             node,
             self.name(name),
             standard(ANALOG_UNIT if has_unit else DATA_ITEM),
-            standard(int(kind)),
-            ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
-            rights=rights,
-            interval_ms=_INTERVAL_MS,
+            VariableValue(
+                standard(int(kind)),
+                ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
+                rights=rights,
+                interval_ms=_INTERVAL_MS,
+            ),
         )
         self._nodes.refer(self.id(folder), refs.HAS_COMPONENT, node)
         self._live.add(node, live)

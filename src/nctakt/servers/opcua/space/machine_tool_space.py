@@ -30,7 +30,7 @@ from nctakt.servers.opcua.model.machine_tool import (
     INTERRUPTED,
     RUNNING,
 )
-from nctakt.servers.opcua.model.nodes import Nodes, standard, text
+from nctakt.servers.opcua.model.nodes import Nodes, VariableValue, standard, text
 from nctakt.servers.opcua.model.types import CompanionTypes, all_components
 from nctakt.servers.opcua.space.components import Shown, ShownPosition, fixed
 from nctakt.servers.opcua.space.machine_space import MachineSpace
@@ -115,8 +115,9 @@ class MachineToolSpace:
             own,
             types.name("StateNumber", is_standard=True),
             standard(PROPERTY),
-            types.data_type("UInt32"),
-            ua.DataValue(ua.Variant(number, _KINDS.UInt32)),
+            VariableValue(
+                types.data_type("UInt32"), ua.DataValue(ua.Variant(number, _KINDS.UInt32))
+            ),
         )
         self._nodes.refer(node, refs.HAS_PROPERTY, own)
         self._nodes.refer(own, refs.HAS_RULE, standard(MANDATORY))
@@ -353,8 +354,10 @@ class MachineToolSpace:
             node,
             name,
             standard(type_),
-            data_type,
-            ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
+            VariableValue(
+                data_type,
+                ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
+            ),
         )
         kind = refs.HAS_PROPERTY if type_ == PROPERTY else refs.HAS_COMPONENT
         self._nodes.refer(self._machine.id(path.rpartition(".")[0]), kind, node)

@@ -23,7 +23,7 @@ from nctakt.session.clock import AnyClock
 MAX_COMMANDS = 1000
 
 #: After how long without a command the thread works for those to come, in seconds.
-PREPARING_S = 0.25
+PREPARING_S = 2.0
 
 #: How long a closing thread may take to finish its work, in seconds.
 CLOSING_S = 10.0

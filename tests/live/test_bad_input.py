@@ -15,7 +15,7 @@ import pytest
 from support.page_driving import BROWSER, chromium, opened, served
 
 from nctakt.live.document import MAX_EDITED_LINES
-from nctakt.live.drawings import MAX_UNDER_WAY, Drawings
+from nctakt.live.drawings import MAX_UNDER_WAY, Drawings, _Sent
 from nctakt.live.track import MAX_BLOCKS, MAX_MARKS, MAX_ROWS, MAX_SAMPLES
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
@@ -242,15 +242,15 @@ def test_a_browser_that_does_not_draw_is_behind() -> None:
     drawings = Drawings.__new__(Drawings)
     drawings._go_on = lambda: looks.append(drawings.are_behind)
     drawings._shared = SimpleNamespace(snapshot=SimpleNamespace(is_playing=True))
-    drawings._sent = {"isPlaying": True}
-    drawings._number, drawings._drawn = MAX_UNDER_WAY, 0
+    drawings._sent = _Sent({"isPlaying": True}, number=MAX_UNDER_WAY)
     for answer in (None, "1", 0, MAX_UNDER_WAY + 1):
         drawings.note_drawn(SimpleNamespace(args=answer))
         assert drawings.are_behind
     assert looks == []
     drawings._shared.snapshot.is_playing = False
     assert not drawings.are_behind
-    drawings._sent, drawings._number = {"isPlaying": False}, MAX_UNDER_WAY + 1
+    drawings._sent.content = {"isPlaying": False}
+    drawings._sent.number = MAX_UNDER_WAY + 1
     assert drawings.are_behind
     drawings._shared.snapshot.is_playing = True
     assert drawings.are_behind

@@ -294,8 +294,6 @@ def read_list(words: dict[str, Any], access: FileAccess | None = None) -> ListRe
     from nctakt.checking.inputs import PROGRAM_SUFFIXES  # noqa: PLC0415 - not for the help
     from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
 
-    if Path(words["file"]).suffix.lower() in PROGRAM_SUFFIXES:
-        raise Failure(diagnostic(PROGRAM_AS_SCHEDULING_LIST, file=words["file"]))
     read_selection((), words["ignore"])  # a word without a message is reported first
     options = RtconfOptions(
         PROFILES[words["system"]],
@@ -308,6 +306,8 @@ def read_list(words: dict[str, Any], access: FileAccess | None = None) -> ListRe
     )
     access = access or file_access(words["confined"])
     data = access.read_bytes(Path(words["file"]), is_replaced=bool(words.get("fix")))
+    if Path(words["file"]).suffix.lower() in PROGRAM_SUFFIXES:
+        raise Failure(diagnostic(PROGRAM_AS_SCHEDULING_LIST, file=words["file"]))
     return read_list_text(words["file"], data, access, options)
 
 

@@ -73,7 +73,7 @@ def measure_speed() -> None:
 def measure_back() -> None:
     """Print how long a step back takes."""
     program = oscillating(100_000, 100_000)
-    core = SessionCore(Setup({1: [program]}, until="20 min"))
+    core = SessionCore(Setup({1: [program]}, options={"until": "20 min"}))
     try:
         while core.tick < 600_000 and not core.is_over:
             core.run(min(core.tick + 20_000, 600_000))

@@ -16,7 +16,6 @@ from support.insides import exchange_queue
 from nctakt import Failure, NcText, Session
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import CONTROLLER_LOST
-from nctakt.session.clock import FastClock
 from nctakt.session.core import SessionCore
 from nctakt.session.engine import Engine
 from nctakt.session.history.parking import SPARSE_US
@@ -98,35 +97,6 @@ def test_after_a_journey_controllers_are_parked_for_steps_back() -> None:
         assert core.read(["X.ACS.ACT_POS"]) == straight.read(["X.ACS.ACT_POS"])
     finally:
         core.close()
-
-
-def test_a_run_of_new_ticks_ends_before_its_end_once_somebody_waits() -> None:
-    """What it has run by then is a slice as any other, and its marks are those of a rerun."""
-    program = NcText("p.nc", "$WHILE 1\nG01 X10 F1000\nG01 X0\n$ENDWHILE\nM30")
-    setup = Setup({1: [program]}, options={"until": "24 h"})
-    engine, again = Engine(setup), Engine(setup)
-    timer = threading.Timer(0.05, setattr, (engine, "is_hurried", True))
-    timer.start()
-    done = engine.run(50_000_000, marks=None)
-    timer.join()
-    assert 0 < done.tick < 50_000_000
-    assert done.marks[-1].tick == done.tick
-    rerun = again.run(done.tick, marks=[mark.tick for mark in done.marks])
-    assert [mark.digest for mark in rerun.marks] == [mark.digest for mark in done.marks]
-    assert engine.run(done.tick + 100, marks=None).tick == done.tick + 100
-
-
-def test_a_pause_does_not_wait_for_the_end_of_a_slice(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Slices that would take half a minute: the controller is told that somebody waits."""
-    if not can_fork():
-        pytest.skip("only where processes get signals")
-    monkeypatch.setattr(FastClock, "next_tick", lambda _clock, _now_s: 60_000_000)
-    program = NcText("p.nc", "$WHILE 1\nG01 X10 F1000\nG01 X0\n$ENDWHILE\nM30")
-    with Session(program, until="24 h") as session:
-        session.play(None)
-        time.sleep(0.5)
-        paused = session.pause()
-        assert 0 < paused.tick == session.tick < 60_000_000
 
 
 def test_a_controller_that_is_lost_while_it_is_read_ends_play_and_no_more(

@@ -235,10 +235,6 @@ class SessionCore:
         tick = self.timeline.previous(stops, evidence)
         return None if tick is None else self.go_to(tick)
 
-    def hurry(self) -> None:
-        """Let a slice that is under way end soon; any thread may call it."""
-        self.timeline.hurry()
-
     # --- stops ----------------------------------------------------------------------------------
 
     def set_stops(self, stops: Sequence[StopAt | str]) -> tuple[StopAt, ...]:

@@ -206,10 +206,7 @@ class StateView:
 
 
 class Engine:
-    """One controller that runs the programs of a setup; raises ``Failure`` as a controller does.
-
-    ``is_hurried``: somebody waits for the end of a run of new ticks, which may be before its own.
-    """
+    """One controller that runs the programs of a setup; raises ``Failure`` as a controller does."""
 
     def __init__(self, setup: Setup) -> None:
         access = FileAccess([Path(folder) for folder in setup.folders])
@@ -237,7 +234,6 @@ class Engine:
         self._newest: dict[Span, int] = {}
         self._stops: Sequence[StopAt] = ()
         self._listed: list[int | str] = []
-        self.is_hurried = False
         self._reported_diagnostics = self._reported_messages = 0
         plc = load_plcs(setup.plcs)
         for one in parts_of(plc)[0]:
@@ -380,15 +376,12 @@ class Engine:
     ) -> StepResult:
         """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end.
 
-        Ticks that are run for the first time may end before that, once ``is_hurried``.
-
         Without ``events`` the slice has none; the next one that has any brings them along.
         ``since``, not before the next tick: where the slice begins; everything earlier is
         forgotten, except diagnostics. ``marks``: where the slice has marks; ``None``: the ticks run
         for the first time, with as many marks as necessary, and the rows of events. ``rests``: also
         end where no stop can hold any more without input.
         """
-        self.is_hurried = False
         if stops != self._stops:
             self._watch(stops)
         self._stop_builder.watch_pauses(PAUSED if rests else None)
@@ -414,7 +407,7 @@ class Engine:
             hits = [hit for hit in hits if hit < len(stops)]
             is_there = bool(hits) or self._run.state is not None
             resting = () if is_there or not rests else rest(self._machine, self._loop, stops)
-            if is_there or resting or self.tick >= end or (marks is None and self.is_hurried):
+            if is_there or resting or self.tick >= end:
                 break
         done = self._slice(first, hits, events=events or is_there or bool(resting), resting=resting)
         rows, columns = self._trail.take(), self._trail.take_columns()
@@ -449,7 +442,6 @@ class Engine:
             is_stopped = self._run.advance(bound)
             is_due = self._trail.note(self.tick - before, now_us() - begin_us)
             is_there = is_stopped or self._run.state is not None or self.tick >= end
-            is_there = is_there or self.is_hurried
             if resting is not None and not is_there and self.tick % LOOK_TICKS == 0:
                 is_there = bool(rest(self._machine, self._loop, resting))
             if is_due or is_there:

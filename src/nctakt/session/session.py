@@ -448,7 +448,6 @@ class Session:
     def interrupt(self) -> None:
         """Let runs and steps of other threads end soon; travel and ``why`` raise 901474."""
         self._thread.interrupt()
-        self._core.hurry()
 
     def _pause(self) -> StepResult:
         clock, self._thread.clock = self._thread.clock, None

@@ -151,10 +151,6 @@ class Timeline:
             self._park()
         return done if again is None else joined(again, done)
 
-    def hurry(self) -> None:
-        """Let the live controller run no more new ticks than it must; any thread may call it."""
-        self._pool.hurry()
-
     def _run_again(self, end: int, stops: Sequence[StopAt], *, events: bool) -> StepResult:
         """Let the live controller rerun ticks that it has run before."""
         marks = self.branch.marks_between(self.tick, end)

@@ -313,13 +313,6 @@ class ProcessPool:
             with contextlib.suppress(OSError):  # it has ended just now
                 os.kill(asked.process, getattr(signal, "SIGKILL", signal.SIGTERM))
 
-    def hurry(self) -> None:
-        """Let the process that runs new ticks answer before it has run them all."""
-        asked = self.asked
-        if asked is not None and can_fork():
-            with contextlib.suppress(OSError):  # it has ended just now
-                os.kill(asked.process, signal.SIGUSR1)
-
     def kill(self) -> None:
         """Let no more processes in, and kill the first ones."""
         self._listener.close()

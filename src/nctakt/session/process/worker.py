@@ -85,11 +85,6 @@ class Worker:
             except OSError:
                 return
 
-    def hurry(self, *_: object) -> None:
-        """Let the run of new ticks that is under way end soon."""
-        if self._engine is not None:
-            self._engine.is_hurried = True
-
     def end(self) -> None:
         """End a copy at once, without Python's cleanup; return in the first process.
 
@@ -183,7 +178,6 @@ def main() -> None:
     worker = Worker(sys.argv[1], key)
     if can_fork():
         signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the copies are not waited for
-        signal.signal(signal.SIGUSR1, worker.hurry)
     with contextlib.suppress(OSError, EOFError):  # the session has ended meanwhile
         worker.connect(sys.argv[2])
         worker.serve()

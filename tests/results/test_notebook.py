@@ -104,6 +104,19 @@ def test_a_session_shows_where_it_is() -> None:
     assert ">PROG<" in page
 
 
+@needs_matplotlib
+@pytest.mark.nightly
+def test_a_session_shows_the_picture_of_its_run() -> None:
+    """That of the run up to here: at the end the same as the run's; none before the first tick."""
+    program = NcText("part.nc", PROGRAM)
+    with Session(program) as session:
+        assert "<img" not in session._repr_html_()
+        session.run()
+        page = session._repr_html_()
+    assert page.count('<img src="data:image/png;base64,') == 1
+    assert page.endswith(Controller().run(program, blocks=True).html_picture())
+
+
 @pytest.mark.slow
 def test_a_result_of_a_study_shows_counts_and_pictures() -> None:
     """What was asked for, a histogram, the rows that failed; texts escaped."""

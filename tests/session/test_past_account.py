@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import pytest
 
 from nctakt import Controller, NcText, Session
-from nctakt.session.history.event_search import PastAccount
+from nctakt.session.history.rerun import PastAccount
 from nctakt.timing.account import account_for
 from nctakt.timing.table import TitledTables, time_tables
 

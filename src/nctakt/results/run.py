@@ -426,11 +426,14 @@ class Run:
             *((str(Time(item.time_us)), item.text) for item in self.messages[:MAX_ROWS]),
             *((f"error {item.id}", item.headline()) for item in self.errors[:MAX_ROWS]),
         ]
-        png = None
-        if self.drawer is not None and self.ticks and self.trace is not None:
-            png = self.drawer().png(self)
-        picture = "" if png is None else html_picture(png)
-        return html_table(", ".join(self.programs), rows) + picture
+        return html_table(", ".join(self.programs), rows) + self.html_picture()
+
+    def html_picture(self) -> str:
+        """Return the picture of ``plot`` for notebooks; empty without a trace or matplotlib."""
+        if self.drawer is None or not self.ticks or self.trace is None:
+            return ""
+        png = self.drawer().png(self)
+        return "" if png is None else html_picture(png)
 
 
 @dataclass(frozen=True, slots=True, repr=False)

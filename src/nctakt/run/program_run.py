@@ -223,6 +223,16 @@ class ProgramRun:
         loop.recording.listen_anew(self._sinks(), self._signals)
         self._parts = self._run_channels([loop.channels[0]])
 
+    def record(self, signals: Sequence[str] | None) -> None:
+        """Let the result have a trace of the ticks from here on, by default of the usual signals.
+
+        Raises ``Failure`` for unknown signals.
+        """
+        recording = self._loop.recording
+        names = recording.checked(signals)
+        self._memory = MemorySink()
+        recording.record(self._memory, names)
+
     # --- going on -------------------------------------------------------------------------------
 
     def load(self) -> None:

@@ -152,6 +152,11 @@ class Recording:
         """Connect a further listener from now on; it is not opened."""
         self._listen((*self._sinks, sink))
 
+    def record(self, sink: Sink, signals: Sequence[str]) -> None:
+        """Record these signals, which ``checked`` has returned, for a further listener."""
+        sink.open(self._select(signals))
+        self.add(sink)
+
     def remove(self, sink: Sink) -> None:
         """Let a sink get nothing more."""
         self._listen([known for known in self._sinks if known is not sink])

@@ -507,6 +507,25 @@ class Engine:
         events, left_out = self._matcher.take()
         return FoundEvents(max(first, since), self.tick, events, left_out, tuple(found))
 
+    # --- its signals ----------------------------------------------------------------------------
+
+    def record(self, signals: Sequence[str] | None) -> None:
+        """Record signals, by default those of a run, in each tick from here on.
+
+        Raises ``Failure`` for unknown signals.
+        """
+        self._watch(())
+        self._stop_builder.watch_pauses(None)
+        self._loop.recording.remove(self._happened)
+        self._trail.keeps = False
+        self._run.record(signals)
+
+    def record_to(self, end: int, marks: Sequence[int]) -> Accounted:
+        """Run past all stops to tick ``end``; return where it is, and the marks on the way."""
+        found = list[Mark]()
+        self._repeat(end, marks, found)
+        return self.tick, tuple(found)
+
     # --- where the time goes --------------------------------------------------------------------
 
     def account(self, end: int, marks: Sequence[int]) -> Accounted:

@@ -16,13 +16,14 @@ from typing import Any, Self, Unpack
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure, error_text
 from nctakt.base.notebook import html_columns, html_table
+from nctakt.base.notebook_progress import notebook_progress
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import Time, TimeLike
 from nctakt.plc.stepping.beside import Branch, Line
 from nctakt.plc.stepping.shown import PlcValue
 from nctakt.results.explained.why import WhyReport
 from nctakt.results.instruction_tree import ListedCycle
-from nctakt.results.run import Run
+from nctakt.results.run import RecordedRun, Run
 from nctakt.results.trace.events import Event
 from nctakt.run.access.input_words import API
 from nctakt.run.access.inputs import Input
@@ -35,8 +36,9 @@ from nctakt.session.cursor import FAULT, Step
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, StateView, StepResult, joined
 from nctakt.session.history.comparing import BranchDifference
-from nctakt.session.history.event_search import EventSearch, PastAccount
+from nctakt.session.history.event_search import EventSearch
 from nctakt.session.history.past_runs import PastRuns
+from nctakt.session.history.rerun import PastAccount, PastRecording
 from nctakt.session.listening import Listener
 from nctakt.session.process.thread import SessionThread
 from nctakt.session.setup import Description, Inventory, Setup
@@ -44,6 +46,9 @@ from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import StopAt
 from nctakt.session.subscribers import Subscribers
 from nctakt.session.tapes import read_setup, save_tape
+
+#: Maximum number of ticks that a notebook draws.
+MAX_DRAWN = 300_000
 
 
 class Session:
@@ -130,7 +135,8 @@ class Session:
         has_schedule = setup.rtconf is not None
         self._pacing = Pacing(pace, self.description.cycle_time_us, has_schedule=has_schedule)
         self._subscribers = Subscribers(self._core)
-        self._thread = SessionThread(self._run_slice, self._prepare)
+        self._goal: int | None = None
+        self._thread = SessionThread(self._run_slice, self._prepare, self._how_far)
         self._ask, self.together = self._thread.ask, self._thread.together
 
     def _poll(self) -> None:
@@ -139,6 +145,10 @@ class Session:
         progress = self._core.progress
         if self.on_travel is not None and progress is not None:
             self.on_travel(*progress)
+
+    def _how_far(self) -> tuple[int, int | None]:
+        """Return how many of how many ticks have been rerun or, if none, have been run."""
+        return self._core.progress or (self._core.tick, self._goal)
 
     def _prepare(self) -> bool:
         try:
@@ -253,6 +263,13 @@ class Session:
             moved = self._core.moved_within(stops)
             if moved is not None:
                 return moved
+        self._goal = end
+        try:
+            return self._run_slices(end, stops, rests)
+        finally:
+            self._goal = None
+
+    def _run_slices(self, end: int | None, stops: Sequence[StopAt], rests: bool) -> StepResult:
         clock = FastClock(self._core.tick)
         whole: StepResult | None = None
         while True:
@@ -658,6 +675,33 @@ class Session:
         """Return the result of the run up to here; the session continues."""
         return self._ask(self._core.result)
 
+    def recorded(
+        self,
+        end: int | None = None,
+        branch: int | None = None,
+        *,
+        signals: Sequence[str] | None = None,
+    ) -> RecordedRun:
+        """Return the run of a branch up to a tick, by default up to here, with its trace.
+
+        ``signals``: those of the trace, by default those of a run. The past is rerun for it; the
+        session continues meanwhile. Raises ``Failure`` for an unknown signal, and for a tick or
+        branch that there is not (901154, 901157).
+        """
+        past = self._ask(self._core.past, end, branch)
+        rerun = PastRecording(self._ask, self._core.timeline, past.branch)
+        poll, progress = self._thread.poller(), notebook_progress("Session")
+
+        def on_progress(done: int, whole: int) -> None:
+            poll()
+            if progress is not None:
+                progress.show(done, whole)
+
+        with contextlib.ExitStack() as at_the_end:
+            if progress is not None:
+                at_the_end.callback(progress.close)
+            return rerun.run(past.tick, signals, on_progress)
+
     def retained(self) -> str:
         """Return the PLC's retained values of this tick, as the text of a file (ST-406)."""
         return self._ask(self._core.retained)
@@ -737,7 +781,7 @@ class Session:
         self.close()
 
     def _repr_html_(self) -> str:
-        """Return tables for notebooks: where it is, and its realtime cycles."""
+        """Return tables for notebooks: where it is, and its realtime cycles; a picture."""
         latest = self.latest
         cycle_time_us = self.description.cycle_time_us
         rows = [
@@ -747,14 +791,23 @@ class Session:
             *((f"block of channel {number}", str(span)) for number, span in latest.blocks.items()),
         ]
         if self.is_over:
-            return html_table("Session", rows)
+            return html_table("Session", rows) + self._picture()
         rows += [("waits for the PLC", entry.name) for _, entry in self.waiting()]
         cycles = [
             (one.name, one.scope, one.state, str(one.runs), str(one.span)) for one in self.cycles()
         ]
         heads = ("cycle", "scope", "state", "runs", "defined at")
         table = html_columns("Realtime cycles", heads, cycles) if cycles else ""
-        return html_table("Session", rows) + table
+        return html_table("Session", rows) + table + self._picture()
+
+    def _picture(self) -> str:
+        """Return the run up to here as a picture for notebooks; empty for none and long ones."""
+        if not 0 < self.tick <= MAX_DRAWN:
+            return ""
+        try:
+            return self.recorded().html_picture()
+        except Failure:  # whoever goes back gets the reason
+            return ""
 
     def __repr__(self) -> str:
         return f"<Session at tick {self.tick} of branch {self.branch}, {self.latest.state}>"

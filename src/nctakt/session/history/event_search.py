@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""What reruns the ticks of a branch, in parallel with the session: a search, an account of time.
+"""A search over the events of a branch, in parallel with the session.
 
-The search: a text, a tick from which it goes back or forward -> the matches, stretch by stretch.
-The account: where the time of a branch went, as tables of ``nctakt time``.
-The session is asked only for controllers, which takes milliseconds.
+In: a text, a tick from which it goes back or forward. Out: the matches, stretch by stretch.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nctakt.base.diagnostics import Language
 from nctakt.results.trace.event_words import SoughtEvents
 from nctakt.results.trace.events import Event
 from nctakt.session.engine import FoundEvents
@@ -18,7 +15,6 @@ from nctakt.session.history.record import ticks_of
 from nctakt.session.history.rerun import PastRerun
 from nctakt.session.history.timeline import SEARCHED_GROWTH, SEARCHED_US
 from nctakt.session.process.process_pool import RemoteEngine
-from nctakt.timing.table import TitledTables
 
 #: Result of a search between two stretches: it continues.
 Step = FoundEvents | None
@@ -84,39 +80,3 @@ class EventSearch(PastRerun):
         found = engine.find_events(part, sought, ticks_of(marks), since)
         self._compare(found.marks, marks)
         return found
-
-
-class PastAccount(PastRerun):
-    """The account of a branch, as far as it has come."""
-
-    _engine: RemoteEngine | None = None
-
-    @property
-    def tick(self) -> int:
-        """How many ticks are accounted for."""
-        return 0 if self._engine is None else self._engine.tick
-
-    def advance(self, count: int) -> bool:
-        """Account for up to ``count`` further ticks; return whether there were any.
-
-        Raises ``Failure`` if the past cannot be rerun (901901).
-        """
-        tick = self.tick
-        if self.latest <= tick:
-            return False
-        if self._engine is None:
-            self._engine = self._controller(1, 0.0)[0]
-        engine = self._engine
-        end = min(self._plan_on(engine), tick + count)
-        part, marks = self._next_part(tick, end)
-        self._compare(engine.account(part, ticks_of(marks))[1], marks)
-        return engine.tick > tick
-
-    def tables(self, language: Language) -> TitledTables:
-        """Return where the time of these ticks went."""
-        return [] if self._engine is None else self._engine.time_tables(language)
-
-    def close(self) -> None:
-        """Give the controller back."""
-        if self._engine is not None:
-            self._engine.close()

@@ -27,6 +27,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.python_process import at_start, python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import CONTROLLER_LOST
+from nctakt.results.run import RecordedRun
 from nctakt.results.trace.event_words import SoughtEvents
 from nctakt.run.access.inputs import Input
 from nctakt.session.engine import Accounted, CycleState, Found, FoundEvents, StepResult
@@ -179,6 +180,20 @@ class RemoteEngine:
         found = cast("FoundEvents", self.ask("find_events", end, sought, marks, since))
         self.tick = found.end
         return found
+
+    def record(self, signals: Sequence[str] | None) -> None:
+        """Prepare as ``Engine.record``."""
+        self.ask("record", signals)
+
+    def record_to(self, end: int, marks: Sequence[int]) -> Accounted:
+        """Run as ``Engine.record_to``."""
+        done = cast("Accounted", self.ask("record_to", end, marks))
+        self.tick = done[0]
+        return done
+
+    def recorded(self) -> RecordedRun:
+        """Return ``Engine.result`` after ``record``."""
+        return cast("RecordedRun", self.ask("result"))
 
     def account(self, end: int, marks: Sequence[int]) -> Accounted:
         """Account for ticks as ``Engine.account``."""

@@ -10,11 +10,12 @@ import queue
 import threading
 import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import Future
-from contextlib import contextmanager
+from concurrent.futures import Future, wait
+from contextlib import closing, contextmanager
 from typing import ParamSpec, TypeVar
 
 from nctakt.base.failure import Failure
+from nctakt.base.notebook_progress import UPDATE_S, notebook_progress
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import INTERRUPTED, SESSION_IS_CLOSED
 from nctakt.session.clock import AnyClock
@@ -37,12 +38,19 @@ class SessionThread:
 
     ``run_slice`` runs one; without a clock nothing runs unasked but ``prepare``, which returns
     whether it has more to do. ``interruptions`` counts the calls of ``interrupt``: a command
-    requested before the last one shall end.
+    requested before the last one shall end. In a notebook whoever waits for a long command sees
+    ``how_far`` it is: how much is done, of how much.
     """
 
-    def __init__(self, run_slice: Callable[[AnyClock], None], prepare: Callable[[], bool]) -> None:
+    def __init__(
+        self,
+        run_slice: Callable[[AnyClock], None],
+        prepare: Callable[[], bool],
+        how_far: Callable[[], tuple[int, int | None]],
+    ) -> None:
         self._run_slice = run_slice
         self._prepare = prepare
+        self._how_far = how_far
         self.clock: AnyClock | None = None
         self.interruptions = 0
         self._asked_at = 0
@@ -131,11 +139,20 @@ class SessionThread:
                 raise Failure(diagnostic(SESSION_IS_CLOSED))
             self._commands.put(command)
         try:
+            self._show_until(answer)
             return answer.result()
         except KeyboardInterrupt:
             self.interrupt()
             answer.exception()  # the run stops between two slices
             raise
+
+    def _show_until(self, answer: Future[_T]) -> None:
+        """Show in a notebook how far a command is, until it is done."""
+        progress = notebook_progress("Session")
+        if progress is not None:
+            with closing(progress):
+                while not wait((answer,), UPDATE_S).done:
+                    progress.show(*self._how_far())
 
     def close(self, abandon: Callable[[], None] = lambda: None) -> None:
         """Finish the requested commands, then end; ``abandon`` ends one that takes too long."""

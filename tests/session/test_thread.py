@@ -30,7 +30,7 @@ PATIENCE_S = 60.0
 
 def test_who_asks_while_it_closes_gets_an_answer() -> None:
     """Also one whose command is on its way into the queue when the thread ends."""
-    thread = SessionThread(lambda _clock: None, lambda: False)
+    thread = SessionThread(lambda _clock: None, lambda: False, lambda: (0, None))
     is_on_its_way = threading.Event()
 
     class SlowQueue(queue.Queue[Any]):
@@ -65,7 +65,7 @@ def test_it_works_for_commands_to_come_while_none_does(monkeypatch: pytest.Monke
             is_done.set()
         return left[0] > 0
 
-    thread = SessionThread(lambda _clock: None, prepare)
+    thread = SessionThread(lambda _clock: None, prepare, lambda: (0, None))
     assert not is_done.wait(0.05)
     assert left == [3]
     assert thread.ask(int, "1") == 1

@@ -37,9 +37,10 @@ from nctakt.live.view import Snapshot
 from nctakt.session.core import NEXT_BLOCK, NEXT_REACTION
 from nctakt.session.session import Session
 
-#: How often the page looks for something new, in seconds; its fields once in this many looks.
+#: How often the page looks for something new, in seconds; its fields once in this many looks, while
+#: it plays, and at full speed, when a person reads them no faster and each costs the browser a frame.
 _LOOK_S = 0.05
-_FIELDS_EVERY = 3
+_FIELDS_EVERY, _FAST_FIELDS_EVERY = 3, 8
 
 #: Looks between two looks at the file on disk.
 _DISK_EVERY = 40
@@ -98,6 +99,7 @@ class _LatestLook:
     readings: dict[str, str] = field(default_factory=dict)
     bar: tuple[object, ...] = ()
     has_control: bool | None = None
+    is_playing: bool = False
 
 
 class Page:
@@ -246,11 +248,19 @@ class Page:
             self._variables.show_session()
         self._drawings.follow(self._new_readings(snapshot))
         is_first = self._latest.count == 1  # the fields are as the page was built
-        if is_first or (self._latest.count % _FIELDS_EVERY and snapshot.is_playing):
+        if is_first or self._are_fields_later(snapshot):
             return
         if self._latest.count % _DISK_EVERY == 0:
             self._program.look_at_disk()
         self._show_fields(snapshot)
+
+    def _are_fields_later(self, snapshot: Snapshot) -> bool:
+        """Return whether the fields wait for a later look; a pause is drawn before them."""
+        was_playing, self._latest.is_playing = self._latest.is_playing, snapshot.is_playing
+        if not snapshot.is_playing:
+            return was_playing
+        every = _FAST_FIELDS_EVERY if self._shared.session.speed is None else _FIELDS_EVERY
+        return self._latest.count % every > 0
 
     def _show_fields(self, snapshot: Snapshot) -> None:
         """Show everything but the drawings."""

@@ -207,7 +207,7 @@ def _measure_frames(page: Any, seconds: float) -> None:
 
 
 def _late_slices(page: Any) -> int:
-    found = re.search(r"(\d+) late slice", page.get_by_test_id("clock").inner_text())
+    found = re.search(r"late slices: (\d+)", page.get_by_test_id("clock").inner_text())
     return 0 if found is None else int(found[1])
 
 

@@ -27,7 +27,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "speed": ("Speed, as a factor of the wall clock", "Tempo, als Faktor der Uhrzeit"),
     "faster": ("Faster", "Schneller"),
     "slower": ("Slower", "Langsamer"),
-    "late": ("late slices", "verspätete Zeitscheiben"),
+    "late": ("late slices: {count}", "verspätete Zeitscheiben: {count}"),
     "in_control": ("This browser has control", "Dieser Browser hat die Bedienung"),
     "take_control": ("Take control", "Bedienung übernehmen"),
     "not_in_control": ("Another browser has control.", "Ein anderer Browser hat die Bedienung."),

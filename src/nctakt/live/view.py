@@ -481,7 +481,7 @@ def _clock(snapshot: Snapshot, cycle_time_us: int, texts: Texts) -> list[str]:
     """Return the tick that is shown, its time and the branch."""
     tick = snapshot.shown_tick
     branch = f"{texts['branch']} {snapshot.branch}"
-    late = [f"{snapshot.late} {texts['late']}"] if snapshot.late else []
+    late = [texts["late"].format(count=snapshot.late)] if snapshot.late else []
     if tick < 0:
         return [texts["before_first"], branch, *late]
     return [

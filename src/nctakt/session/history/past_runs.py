@@ -23,7 +23,7 @@ from nctakt.session.process.process_pool import ProcessPool, RemoteEngine
 from nctakt.session.process.worker import can_fork
 
 #: Maximum number of copies left on the way.
-MAX_KEPT = 12
+MAX_KEPT = 24
 
 
 class PastRuns:

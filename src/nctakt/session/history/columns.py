@@ -132,7 +132,7 @@ class ColumnTrail:
         """Gather the writes among rows of events; return the other rows."""
         found = np.frombuffer(data, np.float64).reshape(-1, rows.EVENT_WIDTH)
         kinds = found[:, rows.EVENT_KIND]
-        is_write: NDArray[np.bool_] = np.logical_or(*(kinds == kind for kind in WRITES))
+        is_write: NDArray[np.bool_] = np.logical_or.reduce([kinds == kind for kind in WRITES])
         self.writes(found[is_write])
         return found[~is_write].tobytes()
 

@@ -57,6 +57,14 @@ def test_data_grow_from_run_to_run(folder: Path, capsys: pytest.CaptureFixture[s
     assert data.read_bytes() == before
 
 
+def test_a_run_that_ended_at_its_limit_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+    """902985: the table has only what ran until then; a run that ended by itself needs no note."""
+    assert main(["coverage", "part.nc", "--ticks", "4"]) == 0
+    assert "note 902985: the run ended at its limit, after 0.004 s" in capsys.readouterr().err
+    assert main(["coverage", "part.nc"]) == 0
+    assert "902985" not in capsys.readouterr().err
+
+
 def test_files_of_several_runs_are_merged(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """What two machines have counted, in any order."""
     for name, value in (("a", 0), ("b", 1)):

@@ -39,6 +39,7 @@ from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.coverage import (
     COUNT_INTERRUPTED,
+    COUNT_LIMITED,
     COVERAGE_BELOW_MINIMUM,
     COVERAGE_COUNTS_DROPPED,
     INVALID_COVERAGE_DATA,
@@ -178,8 +179,9 @@ def _run(options: Options, access: FileAccess) -> tuple[int, Coverage | None]:
         return EXIT_NC_ERROR, None
     run = with_limit_error(options, run)
     print_diagnostics(run.diagnostics, options.language, shown_from(options))
-    if run.state == "interrupted":
-        found = diagnostic(COUNT_INTERRUPTED, time=str(Time(run.virtual_time_us)))
+    cut_short = {"interrupted": COUNT_INTERRUPTED, "limit": COUNT_LIMITED}.get(run.state)
+    if cut_short is not None:
+        found = diagnostic(cut_short, time=str(Time(run.virtual_time_us)))
         print_diagnostics([found], options.language)
     return exit_code(options, run), run.coverage if run.ticks else None
 

@@ -37,8 +37,8 @@ from nctakt.live.view import Snapshot
 from nctakt.session.core import NEXT_BLOCK, NEXT_REACTION
 from nctakt.session.session import Session
 
-#: How often the page looks for something new, in seconds; its fields once in this many looks, while
-#: it plays, and at full speed, when a person reads them no faster and each costs the browser a frame.
+#: How often the page looks for something new, in seconds. While it plays, its fields are shown once
+#: in this many looks, and less often at full speed, when nobody reads them all.
 _LOOK_S = 0.05
 _FIELDS_EVERY, _FAST_FIELDS_EVERY = 3, 8
 

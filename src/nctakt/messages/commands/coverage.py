@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, warning
+from nctakt.messages.catalogue import error, note, warning
 
 NOTHING_TO_COVER = error(
     900800,
@@ -50,5 +50,13 @@ COUNT_INTERRUPTED = warning(
     de="der Lauf wurde nach {time} unterbrochen: gezählt ist nur, was bis dahin lief",
     remedy_en="Let it run to its end, or set a limit (--until, --ticks).",
     remedy_de="Ihn zu Ende laufen lassen oder eine Grenze setzen (--until, --ticks).",
+    time=("how long the run lasted", "die Dauer des Laufs"),
+)
+COUNT_LIMITED = note(
+    902985,
+    en="the run ended at its limit, after {time}: only what ran until then is counted",
+    de="der Lauf endete an seiner Grenze, nach {time}: gezählt ist nur, was bis dahin lief",
+    remedy_en="Set another limit (--until, --ticks) if the program runs longer.",
+    remedy_de="Eine andere Grenze setzen (--until, --ticks), wenn das Programm länger läuft.",
     time=("how long the run lasted", "die Dauer des Laufs"),
 )

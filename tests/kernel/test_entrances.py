@@ -23,9 +23,10 @@ from nctakt.kernel.cycles.expressions import Constant, Index, Load, LoadElement
 from nctakt.kernel.cycles.instructions import AssignElement, AssignReal
 from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.path.probing.edge_probe import EdgeProbe
+from nctakt.kernel.plc.image_bytes import ImageBytes
 from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.panel import Panel
-from nctakt.kernel.plc.technology_slots import Hli, Section
+from nctakt.kernel.plc.technology_slots import FunctionTable, Hli, Section
 from nctakt.kernel.tick.channel import LOW_WATER
 from nctakt.run.controller import Controller
 from nctakt.run.queue_feeder import HIGH_WATER
@@ -181,15 +182,16 @@ def jobs_of(rig: Rig, job: int, size: int, answer: int, answer_size: int) -> Spi
     """Jobs of the channel's spindles in an image of 64 KiB."""
     image = memoryview(bytearray(1 << 16))
     spindles = rig.channel.context.spindles
-    return SpindleUnits(spindles, image, image, job, size, answer, answer_size, 1000, Units())
+    shown = ImageBytes(image, image)
+    return SpindleUnits(spindles, shown, job, size, answer, answer_size, 1000, Units())
 
 
 def units_of(rig: Rig, first: int, acknowledged: int) -> SectionUnits:
     """Units of a section in an image of 64 KiB."""
     image = memoryview(bytearray(1 << 16))
-    table = bytearray(8)
-    section, tables = rig.channel.hli.program, [table] * 2
-    return SectionUnits(section, image, image, first, acknowledged, 1000, 1, *tables, 0, Units())
+    shown, types = ImageBytes(image, image), FunctionTable(bytearray(8), bytearray(8), 0)
+    section = rig.channel.hli.program
+    return SectionUnits(section, shown, first, acknowledged, 1000, 1, types, Units())
 
 
 @pytest.mark.parametrize("name", CONSTRUCTORS)
@@ -285,13 +287,13 @@ def test_rows_of_an_image_that_leave_it_are_refused() -> None:
         (0, 7, 0, 9, True, 1.0),
         (0, 8, 0, 65, True, 1.0),
     ):
-        image, published = memoryview(bytearray(64)), memoryview(bytearray(64))
+        shown = ImageBytes(memoryview(bytearray(64)), memoryview(bytearray(64)))
         with pytest.raises(ValueError, match="is not in"):
-            kernel.image.attach(image, published, [row], units, 0, 16, 0)
+            kernel.image.attach(shown, [row], units, 0, 16, 0)
     for factor in (0.0, -1.0, float("nan")):
         with pytest.raises(ValueError, match="a factor of"):
             row = (0, 7, 0, 8, True, factor)
-            kernel.image.attach(image, published, [row], units, 0, 16, 0)
+            kernel.image.attach(shown, [row], units, 0, 16, 0)
     assert not kernel.image.is_attached
 
 

@@ -375,9 +375,8 @@ def test_braking_from_now_on_takes_longer_with_a_limit_of_the_jerk(
 @pytest.mark.parametrize(("words", "is_same"), [([1, 2], 1), ([1, 3], 0), ([5, 6], 0)])
 def test_any_word_that_a_plc_has_changed_is_noticed(words: list[int], is_same: int) -> None:
     """One of them or all of them; what the CNC writes before them does not count."""
-    image: Any = SimpleNamespace(
-        first_input_word=1, word_count=3, image_words=[9, *words], published_words=[0, 1, 2]
-    )
+    shown = SimpleNamespace(words=[9, *words], published_words=[0, 1, 2])
+    image: Any = SimpleNamespace(first_input_word=1, word_count=3, bytes=shown)
     assert InterfaceImage.is_as_published(image) == is_same
 
 

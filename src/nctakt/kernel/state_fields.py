@@ -55,8 +55,8 @@ CHANGING_IN_TREES = (
 #: Not part of a snapshot: a shared image, the stops of the ticks, and a debugger's probes of a
 #: PLC's statements.
 LEFT_OUT = (
-    "InterfaceImage", "Probe", "SectionUnits", "Sought", "SoughtStatement", "SpindleUnits",
-    "StatementCounter", "Watched",
+    "ImageBytes", "ImageTable", "InterfaceImage", "NumberBytes", "Probe", "RefusedValues",
+    "SectionUnits", "Sought", "SoughtStatement", "SpindleUnits", "StatementCounter", "Watched",
 )  # fmt: skip
 LEFT_OUT_MODULE = "nctakt.kernel.tick.stops"
 

@@ -30,6 +30,7 @@ from nctakt.hli.interface_memory import (
 )
 from nctakt.hli.table import Tie
 from nctakt.hli.variables_memory import sections
+from nctakt.kernel.plc.image_bytes import ImageBytes
 from nctakt.kernel.plc.image_slots import Units
 from nctakt.kernel.plc.interface_image import KINDS, InterfaceImage
 from nctakt.kernel.st import kinds
@@ -336,18 +337,14 @@ def _sources(
         axes_of(functions, own.configuration)
         for functions in (parameters.m_functions, parameters.h_functions)
     )
-    tool = parameters.tool_selection.output
+    types = types_of(parameters)
     for is_realtime, name in ((True, LATE), (False, STANDARD)):
         others = SectionSource(
             banks,
             channel.hli,
             is_realtime,
-            bank(0, name),
-            banks_of(m_axes, name),
-            banks_of(h_axes, name),
-            types_of(parameters.m_functions),
-            types_of(parameters.h_functions),
-            0 if tool is None else tool.synchronisation_bits,
+            banks.table(banks_of(m_axes, name), banks_of(h_axes, name), bank(0, name)),
+            types,
             machine.configuration.cycle_time_us,
             others,
         )
@@ -382,7 +379,6 @@ def _variables(machine: AssembledMachine, found: StInterface, memory: bytearray)
                     cell += -(-one.size_bytes // CELL_BYTES)
     begin = found.variables - _CLOCK
     size = max(-(-end // 8) * 8, _CLOCK)
-    published = memoryview(bytearray(size))
-    shown = memoryview(memory)[begin : begin + size]
-    image.attach(shown, published, rows, Units(), 0, _CLOCK, machine.kernel.tick)
+    shown = ImageBytes(memoryview(memory)[begin : begin + size], memoryview(bytearray(size)))
+    image.attach(shown, rows, Units(), 0, _CLOCK, machine.kernel.tick)
     return image

@@ -6,7 +6,9 @@ from __future__ import annotations
 import struct
 from collections.abc import Mapping
 
+from nctakt.kernel.plc.technology_slots import FunctionTable
 from nctakt.lists.declared.technology_functions import MAX_FUNCTIONS, TechnologyFunction
+from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import ChannelConfiguration
 
 
@@ -28,8 +30,17 @@ def axes_of(
     return table
 
 
-def types_of(functions: Mapping[int, TechnologyFunction]) -> bytearray:
-    """Return the bits of each function's synchronisation type and modifiers by its number."""
+def types_of(parameters: ChannelParameters) -> FunctionTable:
+    """Return the bits of the synchronisation type and modifiers of each function of a channel."""
+    tool = parameters.tool_selection.output
+    return FunctionTable(
+        _types(parameters.m_functions),
+        _types(parameters.h_functions),
+        0 if tool is None else tool.synchronisation_bits,
+    )
+
+
+def _types(functions: Mapping[int, TechnologyFunction]) -> bytearray:
     table = bytearray(8 * MAX_FUNCTIONS)
     for function in functions.values():
         struct.pack_into("=q", table, 8 * function.number, function.synchronisation_bits)

@@ -2,7 +2,8 @@
 # C types of image_slots.py.
 cimport cython
 from nctakt.kernel cimport cells, codes
-from nctakt.kernel.plc.technology_slots cimport Section
+from nctakt.kernel.plc.image_bytes cimport ImageBytes
+from nctakt.kernel.plc.technology_slots cimport FunctionTable, Section
 from nctakt.kernel.axes.spindles cimport Spindles
 
 cdef class Units:
@@ -11,16 +12,12 @@ cdef class Units:
 
 cdef class SectionUnits(Units):
     cdef Section section
-    cdef int[::1] halves
-    cdef long long[::1] words
-    cdef int[::1] published
+    cdef ImageBytes shown
     cdef Py_ssize_t first
     cdef Py_ssize_t acknowledged
     cdef long long cycle_time_us
     cdef int identifier
-    cdef long long[::1] m_types
-    cdef long long[::1] h_types
-    cdef long long tool_type
+    cdef FunctionTable types
     cdef Units others
     cdef long long version
 
@@ -36,10 +33,7 @@ cdef class SectionUnits(Units):
 
 cdef class SpindleUnits(Units):
     cdef Spindles spindles
-    cdef int[::1] halves
-    cdef long long[::1] words
-    cdef double[::1] reals
-    cdef int[::1] published
+    cdef ImageBytes shown
     cdef Py_ssize_t job
     cdef Py_ssize_t stride
     cdef Py_ssize_t acknowledged
@@ -53,7 +47,7 @@ cdef class SpindleUnits(Units):
     @cython.locals(i=Py_ssize_t)
     cdef void publish(self) noexcept nogil
     @cython.locals(
-        first=Py_ssize_t, word=Py_ssize_t, direction=cython.longlong, backward=int,
+        first=Py_ssize_t, word=Py_ssize_t, direction=cython.longlong,
         ticks=cython.longlong
     )
     cdef void put(self, Py_ssize_t i) noexcept nogil

@@ -12,7 +12,8 @@ from __future__ import annotations
 from nctakt.kernel import cells, codes
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.plc.technology_slots import Section
+from nctakt.kernel.plc.image_bytes import ImageBytes
+from nctakt.kernel.plc.technology_slots import FunctionTable, Section
 
 
 class Units:
@@ -32,37 +33,28 @@ class SectionUnits(Units):
     """The units of one section, and those after it.
 
     ``first``: the first byte of the units in the image, ``acknowledged``: of the PLC's serials;
-    ``published`` are the bytes of the image that the tick knows. ``identifier``: ``cells.POS_RT``
-    for functions of realtime cycles. ``m_types``, ``h_types``: int64 for each number, the bits of
-    the M or H function's synchronisation type, which counts for the program's functions;
-    ``tool_type``: that of T.
+    ``identifier``: ``cells.POS_RT`` for functions of realtime cycles. ``types``: the bits of each
+    function's synchronisation type, which counts for the program's functions.
     """
 
     def __init__(
         self,
         section: Section,
-        image: memoryview,
-        published: memoryview,
+        shown: ImageBytes,
         first: int,
         acknowledged: int,
         cycle_time_us: int,
         identifier: int,
-        m_types: bytearray,
-        h_types: bytearray,
-        tool_type: int,
+        types: FunctionTable,
         others: Units,
     ) -> None:
         units = 4 * cells.UNIT_WIDTH * section.slot_count
-        check_range(first, 0, image.nbytes - units, "first byte")
-        check_range(acknowledged, 0, image.nbytes - 4 * section.slot_count, "first byte")
+        check_range(first, 0, shown.count - units, "first byte")
+        check_range(acknowledged, 0, shown.count - 4 * section.slot_count, "first byte")
         self.section = section
         self.identifier = identifier
-        self.m_types = memoryview(m_types).cast("q")
-        self.h_types = memoryview(h_types).cast("q")
-        self.tool_type = tool_type
-        self.halves = image.cast("i")
-        self.words = image.cast("q")
-        self.published = published.cast("i")
+        self.types = types
+        self.shown = shown
         self.first = first // 4
         self.acknowledged = acknowledged // 4
         self.cycle_time_us = cycle_time_us
@@ -71,8 +63,8 @@ class SectionUnits(Units):
 
     def latch(self) -> None:
         for i in range(self.section.slot_count):
-            serial = self.halves[self.acknowledged + i]
-            self.published[self.acknowledged + i] = serial
+            serial = self.shown.halves[self.acknowledged + i]
+            self.shown.published_halves[self.acknowledged + i] = serial
             if self.section.state[i] == codes.WAITING and self.section.serial[i] == serial:
                 self.section.state[i] = codes.ACKNOWLEDGED
         self.others.latch()
@@ -88,35 +80,35 @@ class SectionUnits(Units):
         """Write one slot."""
         first = self.first + cells.UNIT_WIDTH * slot
         if self.section.state[slot] == codes.FREE:
-            self.halves[first + cells.UNIT_SERIAL] = 0
+            self.shown.halves[first + cells.UNIT_SERIAL] = 0
             return
         function = self.section.function[slot]
         word = (first + cells.UNIT_TIMES) >> 1
         synchronisation = cells.MOS
         if function >= codes.FIRST_T:
-            self.halves[first + cells.UNIT_LETTER] = cells.LETTER_T
-            self.halves[first + cells.UNIT_NUMBER] = function - codes.FIRST_T
-            synchronisation = self.tool_type
+            self.shown.halves[first + cells.UNIT_LETTER] = cells.LETTER_T
+            self.shown.halves[first + cells.UNIT_NUMBER] = function - codes.FIRST_T
+            synchronisation = self.types.of(function)
         elif function >= 0:
-            self.halves[first + cells.UNIT_LETTER] = cells.LETTER_M
-            self.halves[first + cells.UNIT_NUMBER] = function
+            self.shown.halves[first + cells.UNIT_LETTER] = cells.LETTER_M
+            self.shown.halves[first + cells.UNIT_NUMBER] = function
             if self.identifier != cells.POS_RT:
-                synchronisation = self.m_types[function]
+                synchronisation = self.types.of(function)
         else:
             number = -function - 1
-            self.halves[first + cells.UNIT_LETTER] = cells.LETTER_H
-            self.halves[first + cells.UNIT_NUMBER] = number
+            self.shown.halves[first + cells.UNIT_LETTER] = cells.LETTER_H
+            self.shown.halves[first + cells.UNIT_NUMBER] = number
             if self.identifier != cells.POS_RT:
-                synchronisation = self.h_types[number]
-        self.halves[first + cells.UNIT_AXIS] = self.section.area[slot]
-        self.halves[first + cells.UNIT_IDENTIFIER] = self.identifier
-        self.halves[first + cells.UNIT_SYNCHRONISATION] = synchronisation
-        self.halves[first + cells.UNIT_SEQUENCE] = self.section.sequence[slot]
-        self.halves[first + cells.UNIT_VALUE] = self.section.value[slot]
-        self.words[word + cells.IMAGE_TIME] = self.section.tick[slot] * self.cycle_time_us
+                synchronisation = self.types.of(function)
+        self.shown.halves[first + cells.UNIT_AXIS] = self.section.area[slot]
+        self.shown.halves[first + cells.UNIT_IDENTIFIER] = self.identifier
+        self.shown.halves[first + cells.UNIT_SYNCHRONISATION] = synchronisation
+        self.shown.halves[first + cells.UNIT_SEQUENCE] = self.section.sequence[slot]
+        self.shown.halves[first + cells.UNIT_VALUE] = self.section.value[slot]
+        self.shown.words[word + cells.IMAGE_TIME] = self.section.tick[slot] * self.cycle_time_us
         ticks = self.section.done[slot] - self.section.tick[slot]
-        self.words[word + cells.IMAGE_DURATION] = ticks * self.cycle_time_us
-        self.halves[first + cells.UNIT_SERIAL] = self.section.serial[slot]
+        self.shown.words[word + cells.IMAGE_DURATION] = ticks * self.cycle_time_us
+        self.shown.halves[first + cells.UNIT_SERIAL] = self.section.serial[slot]
 
 
 class SpindleUnits(Units):
@@ -129,8 +121,7 @@ class SpindleUnits(Units):
     def __init__(
         self,
         spindles: Spindles,
-        image: memoryview,
-        published: memoryview,
+        shown: ImageBytes,
         job: int,
         size: int,
         acknowledged: int,
@@ -141,14 +132,11 @@ class SpindleUnits(Units):
         last = max(0, spindles.count - 1)
         job_bytes = 4 * cells.SPINDLE_JOB_TIMES + 8 * (cells.IMAGE_POSITION + 1)
         for stride in (size, answer_size):
-            check_range(stride, 0, image.nbytes, "size")
-        check_range(job, 0, image.nbytes - last * size - job_bytes, "first byte")
-        check_range(acknowledged, 0, image.nbytes - last * answer_size - 4, "first byte")
+            check_range(stride, 0, shown.count, "size")
+        check_range(job, 0, shown.count - last * size - job_bytes, "first byte")
+        check_range(acknowledged, 0, shown.count - last * answer_size - 4, "first byte")
         self.spindles = spindles
-        self.halves = image.cast("i")
-        self.words = image.cast("q")
-        self.reals = image.cast("d")
-        self.published = published.cast("i")
+        self.shown = shown
         self.job = job // 4
         self.stride = size // 4
         self.acknowledged = acknowledged // 4
@@ -160,8 +148,8 @@ class SpindleUnits(Units):
     def latch(self) -> None:
         for i in range(self.spindles.count):
             answer = self.acknowledged + self.answer_stride * i
-            serial = self.halves[answer]
-            self.published[answer] = serial
+            serial = self.shown.halves[answer]
+            self.shown.published_halves[answer] = serial
             if self.spindles.plc_state[i] == codes.WAITING and self.spindles.job[i] == serial:
                 self.spindles.plc_state[i] = codes.ACKNOWLEDGED
         self.others.latch()
@@ -177,16 +165,17 @@ class SpindleUnits(Units):
         """Write the job of one spindle."""
         first = self.job + self.stride * i
         if self.spindles.plc_state[i] == codes.FREE:
-            self.halves[first + cells.SPINDLE_JOB] = 0
+            self.shown.halves[first + cells.SPINDLE_JOB] = 0
             return
-        self.halves[first + cells.SPINDLE_JOB_FUNCTION] = self.spindles.function[i]
+        self.shown.halves[first + cells.SPINDLE_JOB_FUNCTION] = self.spindles.function[i]
         direction = self.spindles.direction[i]
-        backward = cells.SPINDLE_JOB_BACKWARD
-        self.halves[first + cells.SPINDLE_JOB_DIRECTION] = direction if direction >= 0 else backward
+        if direction < 0:
+            direction = cells.SPINDLE_JOB_BACKWARD
+        self.shown.halves[first + cells.SPINDLE_JOB_DIRECTION] = direction
         word = (first + cells.SPINDLE_JOB_TIMES) >> 1
-        self.words[word + cells.IMAGE_TIME] = self.spindles.taken_tick[i] * self.cycle_time_us
+        self.shown.words[word + cells.IMAGE_TIME] = self.spindles.taken_tick[i] * self.cycle_time_us
         ticks = self.spindles.done_tick[i] - self.spindles.taken_tick[i]
-        self.words[word + cells.IMAGE_DURATION] = ticks * self.cycle_time_us
-        self.reals[word + cells.IMAGE_SPEED] = self.spindles.commanded_v[i] / 6.0
-        self.reals[word + cells.IMAGE_POSITION] = self.spindles.commanded_position[i]
-        self.halves[first + cells.SPINDLE_JOB] = self.spindles.job[i]
+        self.shown.words[word + cells.IMAGE_DURATION] = ticks * self.cycle_time_us
+        self.shown.reals[word + cells.IMAGE_SPEED] = self.spindles.commanded_v[i] / 6.0
+        self.shown.reals[word + cells.IMAGE_POSITION] = self.spindles.commanded_position[i]
+        self.shown.halves[first + cells.SPINDLE_JOB] = self.spindles.job[i]

@@ -6,6 +6,17 @@ from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.plc.panel cimport Panel
 
 @cython.final
+cdef class FunctionTable:
+    cdef long long[::1] m
+    cdef long long[::1] h
+    cdef Py_ssize_t m_count
+    cdef Py_ssize_t h_count
+    cdef long long tool
+
+    @cython.locals(number=cython.longlong)
+    cdef long long of(self, long long function) noexcept nogil
+
+@cython.final
 cdef class Section:
     cdef readonly Py_ssize_t slot_count
     cdef long long[::1] state
@@ -17,10 +28,7 @@ cdef class Section:
     cdef long long[::1] is_answered
     cdef long long[::1] area
     cdef long long[::1] unit
-    cdef long long[::1] m_areas
-    cdef long long[::1] h_areas
-    cdef Py_ssize_t m_count
-    cdef Py_ssize_t h_count
+    cdef FunctionTable areas
     cdef long long[::1] answer_source
     cdef Py_ssize_t last_slot
     cdef long long[::1] done
@@ -33,8 +41,6 @@ cdef class Section:
     cdef void latch(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef long long issue(self, long long function, long long tick, long long ticks) noexcept nogil
-    @cython.locals(number=cython.longlong)
-    cdef long long area_of(self, long long function) noexcept nogil
     @cython.locals(unit=cython.longlong)
     cdef long long free_unit(self, Py_ssize_t slot) noexcept nogil
     @cython.locals(i=Py_ssize_t)

@@ -21,6 +21,30 @@ from nctakt.kernel.plc.panel import Panel
 SLOT_COUNT = 20
 
 
+class FunctionTable:
+    """A number for each technology function: ``m`` and ``h``, int64 by its number; ``tool``: T."""
+
+    def __init__(self, m: bytearray, h: bytearray, tool: int) -> None:
+        self.set(m, h, tool)
+
+    def set(self, m: bytearray, h: bytearray, tool: int) -> None:
+        """Set the numbers of all functions."""
+        self.m = memoryview(m).cast("q")
+        self.h = memoryview(h).cast("q")
+        self.m_count = len(self.m)
+        self.h_count = len(self.h)
+        self.tool = tool
+
+    def of(self, function: int) -> int:
+        """Return the number of a function, 0 beyond the tables."""
+        if function >= codes.FIRST_T:
+            return self.tool
+        if function >= 0:
+            return self.m[function] if function < self.m_count else 0
+        number = -function - 1
+        return self.h[number] if number < self.h_count else 0
+
+
 class Section:
     """Slots for technology functions.
 
@@ -45,7 +69,7 @@ class Section:
         self.is_answered = integers(slot_count)
         self.area = integers(slot_count)
         self.unit = integers(slot_count)
-        self.set_areas(bytearray(8), bytearray(8))
+        self.areas = FunctionTable(bytearray(8), bytearray(8), 0)
         self.answer_source = integers(slot_count)
         self.last_slot = 0
         self.issued_in_tick = 0
@@ -53,12 +77,9 @@ class Section:
         self.issued = 0
         self.version = 0
 
-    def set_areas(self, m_areas: bytearray, h_areas: bytearray) -> None:
+    def set_areas(self, m: bytearray, h: bytearray) -> None:
         """Set the logical axis that each M and H function is for, 0 the channel, as int64."""
-        self.m_areas = memoryview(m_areas).cast("q")
-        self.h_areas = memoryview(h_areas).cast("q")
-        self.m_count = len(self.m_areas)
-        self.h_count = len(self.h_areas)
+        self.areas.set(m, h, 0)
 
     def latch(self) -> None:
         """Free the slots that the PLC has acknowledged, at the start of a tick."""
@@ -91,19 +112,12 @@ class Section:
                 self.tick[i] = tick
                 self.done[i] = tick + ticks
                 self.value[i] = 0
-                self.area[i] = self.area_of(function)
+                self.area[i] = self.areas.of(function)
                 self.unit[i] = self.free_unit(i)
                 self.answer_source[i] = 0
                 self.last_slot = i
                 return self.issued_in_tick
         return -1
-
-    def area_of(self, function: int) -> int:
-        """Return the logical axis that a function is for, 0: the channel."""
-        if codes.FIRST_T > function >= 0:
-            return self.m_areas[function] if function < self.m_count else 0
-        number = -function - 1
-        return self.h_areas[number] if 0 <= number < self.h_count else 0
 
     def free_unit(self, slot: int) -> int:
         """Return the first unit of its area that no other function than that of ``slot`` has."""

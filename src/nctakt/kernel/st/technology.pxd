@@ -4,7 +4,7 @@ cimport cython
 from nctakt.kernel cimport cells, codes
 from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.base cimport arithmetic
-from nctakt.kernel.plc.technology_slots cimport Hli, Section
+from nctakt.kernel.plc.technology_slots cimport FunctionTable, Hli, Section
 from nctakt.kernel.st cimport kinds, words
 from nctakt.kernel.st.context cimport PlcContext
 
@@ -44,12 +44,8 @@ cdef class SectionSource(UnitSource):
     cdef Hli hli
     cdef Section section
     cdef bint is_realtime
-    cdef Py_ssize_t channel_bank
-    cdef long long[::1] m_banks
-    cdef long long[::1] h_banks
-    cdef long long[::1] m_types
-    cdef long long[::1] h_types
-    cdef long long tool_type
+    cdef FunctionTable places
+    cdef FunctionTable types
     cdef long long cycle_time_us
     cdef UnitSource others
     cdef long long[::1] bank
@@ -60,7 +56,6 @@ cdef class SectionSource(UnitSource):
     cdef void show(self, long long tick) noexcept nogil
     @cython.locals(is_waiting=cython.bint, is_same=cython.bint, bank=Py_ssize_t, unit=Py_ssize_t)
     cdef void follow(self, Py_ssize_t slot, long long tick) noexcept nogil
-    cdef Py_ssize_t bank_of(self, long long function) noexcept nogil
     @cython.locals(
         function=cython.longlong, data=cython.longlong, number=Py_ssize_t, mode=cython.longlong,
         ticks=cython.longlong

@@ -12,7 +12,7 @@ from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.plc.technology_slots import Hli, Section
+from nctakt.kernel.plc.technology_slots import FunctionTable, Hli, Section
 from nctakt.kernel.st import kinds, words
 from nctakt.kernel.st.context import PlcContext
 
@@ -58,6 +58,13 @@ class UnitBanks:
             self.stride[i] = stride
             self.used[i] = used
             self.area[i] = area
+
+    def table(self, m: bytearray, h: bytearray, tool: int) -> FunctionTable:
+        """Return which units each function has; ``ValueError`` if there are no such units."""
+        check_range(tool, 0, self.count - 1, "units of the channel")
+        for banks in (m, h):
+            check_banks(banks, self.count)
+        return FunctionTable(m, h, tool)
 
     def announce(self, area: int, tick: int) -> None:
         """Announce a PLC for an area from the end of this tick on."""
@@ -132,9 +139,8 @@ class UnitSource:
 class SectionSource(UnitSource):
     """The functions of one section of a channel, and the sources after it.
 
-    ``m_banks``, ``h_banks``: int64 for each number, the units of its area; ``channel_bank``: those
-    of the channel. ``m_types``, ``h_types``, ``tool_type``: synchronisation by number; those of
-    realtime cycles are MOS.
+    ``places``: which of the ``banks`` has the units of each function's area (``UnitBanks.table``);
+    ``types``: the synchronisation of each function; those of realtime cycles are MOS.
     """
 
     def __init__(
@@ -142,12 +148,8 @@ class SectionSource(UnitSource):
         banks: UnitBanks,
         hli: Hli,
         is_realtime: bool,
-        channel_bank: int,
-        m_banks: bytearray,
-        h_banks: bytearray,
-        m_types: bytearray,
-        h_types: bytearray,
-        tool_type: int,
+        places: FunctionTable,
+        types: FunctionTable,
         cycle_time_us: int,
         others: UnitSource,
     ) -> None:
@@ -155,15 +157,8 @@ class SectionSource(UnitSource):
         self.hli = hli
         self.section: Section = hli.realtime if is_realtime else hli.program
         self.is_realtime = is_realtime
-        check_range(channel_bank, 0, banks.count - 1, "units of the channel")
-        self.channel_bank = channel_bank
-        self.m_banks = memoryview(m_banks).cast("q")
-        self.h_banks = memoryview(h_banks).cast("q")
-        for table in (m_banks, h_banks):
-            check_banks(table, banks.count)
-        self.m_types = memoryview(m_types).cast("q")
-        self.h_types = memoryview(h_types).cast("q")
-        self.tool_type = tool_type
+        self.places = places
+        self.types = types
         self.cycle_time_us = cycle_time_us
         self.others = others
         self.bank = integers(self.section.slot_count)
@@ -189,7 +184,7 @@ class SectionSource(UnitSource):
             self.shown_count -= 1
         if not is_waiting:
             return
-        bank = self.bank_of(self.section.function[slot])
+        bank = self.places.of(self.section.function[slot])
         if self.banks.is_announced(bank):
             unit = self.banks.occupy(bank)
             if unit >= 0:
@@ -200,12 +195,6 @@ class SectionSource(UnitSource):
                 self.write(self.banks.at(bank, unit), slot)
         elif self.hli.acknowledges_itself and self.section.done[slot] <= tick:
             self.section.state[slot] = codes.ACKNOWLEDGED
-
-    def bank_of(self, function: int) -> int:
-        """Return the units for a function."""
-        if function >= codes.FIRST_T:
-            return self.channel_bank
-        return self.m_banks[function] if function >= 0 else self.h_banks[-function - 1]
 
     def write(self, at: int, slot: int) -> None:
         """Write a function into a unit."""
@@ -218,7 +207,7 @@ class SectionSource(UnitSource):
             self.banks.ask(at, cells.TECHNO_T)
             return
         number = function if function >= 0 else -function - 1
-        mode = self.m_types[number] if function >= 0 else self.h_types[number]
+        mode = self.types.of(function)
         if self.is_realtime:
             mode = cells.MOS
         ticks = self.section.done[slot] - self.section.tick[slot]

@@ -49,6 +49,7 @@ from nctakt.hli.variables_memory import Section, sections
 from nctakt.kernel.cells import IDENTIFIER_PROGRAM, POS_RT
 from nctakt.kernel.cells import SPINDLE_OVERRIDE as OVERRIDE_CELL
 from nctakt.kernel.kernel import Kernel
+from nctakt.kernel.plc.image_bytes import ImageBytes
 from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.interface_image import KINDS
 from nctakt.kernel.tick.channel import Channel
@@ -107,12 +108,12 @@ class SharedImage:
         self.external = self.memory[layout.ve_offset :]
         _put_header(self.memory, layout, machine)
         published = memoryview(bytearray(layout.size))
+        shown = ImageBytes(self.memory, published)
         pack = pack_of(machine.startup.member_alignment)
         kernel.image.attach(
-            self.memory,
-            published,
+            shown,
             [*_hli_rows(layout, cells), *_external_rows(layout, self._sections, pack, cells)],
-            _units(channels, self.memory, published, layout, machine),
+            _units(channels, shown, layout, machine),
             entry(HEADER, "sequence").offset,
             layout.command_offset,
             kernel.tick,
@@ -344,8 +345,7 @@ def _external_rows(
 
 def _units(
     channels: Sequence[Channel],
-    memory: memoryview,
-    published: memoryview,
+    shown: ImageBytes,
     layout: ImageLayout,
     machine: Machine,
 ) -> Units:
@@ -356,8 +356,7 @@ def _units(
         hli, spindles = channel.hli, channel.context.spindles
         units = SpindleUnits(
             spindles,
-            memory,
-            published,
+            shown,
             layout.spindle(spindles.first_number) + entry(SPINDLE, "job").offset,
             size_of(SPINDLE),
             layout.spindle_command(spindles.first_number)
@@ -366,24 +365,19 @@ def _units(
             cycle_time_us,
             units,
         )
-        own = machine.channels[index]
-        m_functions, h_functions = own.parameters.m_functions, own.parameters.h_functions
-        tool = own.parameters.tool_selection.output
+        types = types_of(machine.channels[index].parameters)
         for section, name, identifier in (
             (hli.realtime, "realtime", POS_RT),
             (hli.program, "program", IDENTIFIER_PROGRAM),
         ):
             units = SectionUnits(
                 section,
-                memory,
-                published,
+                shown,
                 layout.channel(index) + unit_offset(CHANNEL, name),
                 layout.command(index) + entry(COMMAND, f"ack_{name}").offset,
                 cycle_time_us,
                 identifier,
-                types_of(m_functions),
-                types_of(h_functions),
-                0 if tool is None else tool.synchronisation_bits,
+                types,
                 units,
             )
     return units

@@ -80,8 +80,8 @@ ENTRANCES: dict[str, _Entrance] = {
     "section.acknowledge": lambda rig, n: rig.channel.hli.realtime.acknowledge(n, 1),
     "section.value_of": lambda rig, n: rig.channel.hli.program.value_of(n),
     "panel.put": lambda rig, n: rig.channel.panel.put(n, 1.0),
-    "kernel.post": lambda rig, n: rig.machine.kernel.post(n, 1.0),
-    "kernel.post_bytes": lambda rig, n: rig.machine.kernel.post_bytes(n, bytes(16)),
+    "kernel.posted.post": lambda rig, n: rig.machine.kernel.posted.post(n, 1.0),
+    "kernel.posted.post_bytes": lambda rig, n: rig.machine.kernel.posted.post_bytes(n, bytes(16)),
     "record.select": lambda rig, n: rig.machine.record.select([0, n]),
     "manager.state_of": lambda rig, n: rig.channel.manager.state_of(n),
     "path.segment_row": lambda rig, n: rig.channel.path.segment_row(n),
@@ -268,7 +268,7 @@ def test_more_ticks_than_an_integer_holds_are_no_end_in_the_past() -> None:
 def test_a_bytes_value_of_half_a_cell_is_refused() -> None:
     """A string fills whole cells."""
     with pytest.raises(TypeError):
-        Rig().machine.kernel.post_bytes(0, b"123")
+        Rig().machine.kernel.posted.post_bytes(0, b"123")
 
 
 def test_rows_of_an_image_that_leave_it_are_refused() -> None:

@@ -36,7 +36,7 @@ def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple
     loop_of(controller).channels[0].feeder.refill()
     found_rows: list[tuple[int, int]] = []
     for value in values:
-        machine.kernel.post(found[1], value)
+        machine.kernel.posted.post(found[1], value)
         machine.reserve()
         machine.kernel.run(1)
         machine.record.take_events()

@@ -9,6 +9,7 @@ from nctakt.kernel.tick.plc_calls cimport PlcCalls
 from nctakt.kernel.st.tasks cimport PlcSide
 from nctakt.kernel.tick.signals cimport SignalBoard
 from nctakt.kernel.tick.stops cimport Stops
+from nctakt.kernel.posted_values cimport PostedValues
 from nctakt.kernel.plc.interface_image cimport InterfaceImage
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.axes.single_axes cimport SingleAxes
@@ -37,8 +38,8 @@ cdef class ChannelLane(Lane):
 
 @cython.final
 cdef class Kernel:
-    cdef long long[::1] words
     cdef double[::1] cells
+    cdef readonly PostedValues posted
     cdef Axes axes
     cdef Record record
     cdef SingleAxes single_axes
@@ -53,25 +54,7 @@ cdef class Kernel:
     cdef readonly bint is_stopped
     cdef readonly bint is_plc_due
     cdef readonly long long tick
-    cdef Py_ssize_t input_count
-    cdef Py_ssize_t input_capacity
-    cdef long long[::1] input_cells
-    cdef long long[::1] input_words
-    cdef double[::1] input_values
-    cdef long long[::1] input_slots
 
-    cpdef check_cell(self, cell)
-    cpdef post(self, cell, double value)
-    @cython.locals(slot=Py_ssize_t)
-    cdef put(self, Py_ssize_t cell, double value)
-    @cython.locals(slot=Py_ssize_t)
-    cdef Py_ssize_t slot_of(self, Py_ssize_t cell) noexcept nogil
-    @cython.locals(slot=Py_ssize_t)
-    cdef Py_ssize_t slot_for(self, Py_ssize_t cell) except -1
-    @cython.locals(slot=Py_ssize_t)
-    cdef double present(self, Py_ssize_t cell) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
-    cpdef void latch_posted(self) noexcept nogil
     @cython.locals(reason=int)
     cpdef int run(self, long long ticks)
     @cython.locals(end=cython.longlong, before=cython.longlong, reason=int)

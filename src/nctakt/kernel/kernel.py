@@ -16,11 +16,10 @@ import cython
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
-from nctakt.kernel.base.arrays import integers
-from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.axis_requests import AxisRequests
 from nctakt.kernel.plc.interface_image import InterfaceImage
+from nctakt.kernel.posted_values import PostedValues
 from nctakt.kernel.st.tasks import PlcSide
 from nctakt.kernel.tick.channel import Channel
 from nctakt.kernel.tick.plc_calls import PlcCalls
@@ -115,8 +114,8 @@ class Kernel:
         record: Record,
         single_axes: SingleAxes,
     ) -> None:
-        self.words = memoryview(memory).cast("q")
         self.cells = memoryview(memory).cast("d")
+        self.posted = PostedValues(memory)
         self.axes = axes
         self.single_axes = single_axes
         self.requests = AxisRequests(single_axes)
@@ -137,91 +136,11 @@ class Kernel:
         self.is_stopped = False
         self.is_plc_due = False
         self.tick = 0
-        self.input_count = 0
-        self.input_capacity = 0
-        self.input_cells = integers(1)
-        self.input_words = integers(1)
-        self.input_slots = memoryview(bytearray(len(memory))).cast("q")
-        self.make_room(16)
         axes.publish_all()
 
     def attach_plc(self, plc: PlcSide) -> None:
         """Let this PLC in Structured Text run in each tick from now on (ST-801)."""
         self.plc = plc
-
-    # --- the image of inputs --------------------------------------------------------------------
-
-    def check_cell(self, cell: int) -> None:
-        """Raise ``ValueError`` unless ``cell`` is one of the memory."""
-        check_range(cell, 0, len(self.words) - 1, "cell")
-
-    def post(self, cell: int, value: float) -> None:
-        """Put a value into the image that the next tick latches."""
-        self.check_cell(cell)
-        self.put(cell, value)
-
-    def put(self, cell: int, value: float) -> None:
-        """Post a value for a cell that is one of the memory."""
-        slot = self.slot_for(cell)
-        self.input_values[slot] = value
-
-    def post_bytes(self, cell: int, data: bytes) -> None:
-        """Put a character string that fills whole cells from ``cell`` on into that image."""
-        words = memoryview(data).cast("q")
-        check_range(cell, 0, len(self.words) - len(words), "cell")
-        for i, word in enumerate(words):
-            slot = self.slot_for(cell + i)
-            self.input_words[slot] = word
-
-    def slot_of(self, cell: int) -> int:
-        """Slot of a cell in the image of inputs; -1 if nothing is posted for it."""
-        slot = self.input_slots[cell]
-        return slot if slot < self.input_count and self.input_cells[slot] == cell else -1
-
-    def slot_for(self, cell: int) -> int:
-        """Slot of a cell in the image of inputs, a new one if it has none."""
-        slot = self.slot_of(cell)
-        if slot >= 0:
-            return slot
-        slot = self.input_count
-        if slot == self.input_capacity:
-            self.make_room(2 * slot)
-        self.input_cells[slot] = cell
-        self.input_slots[cell] = slot
-        self.input_count = slot + 1
-        return slot
-
-    def present(self, cell: int) -> float:
-        """Value of a cell of the memory; a posted value counts even before it is latched."""
-        slot = self.slot_of(cell)
-        return self.cells[cell] if slot < 0 else self.input_values[slot]
-
-    def present_bytes(self, cell: int, count: int) -> bytes:
-        """Bytes of ``count`` cells; those that are posted count before they are latched."""
-        check_range(cell, 0, len(self.words) - count, "cell")
-        words = integers(count)
-        for i in range(count):
-            slot = self.slot_of(cell + i)
-            words[i] = self.words[cell + i] if slot < 0 else self.input_words[slot]
-        return bytes(words)
-
-    def make_room(self, count: int) -> None:
-        """Make room for ``count`` cells in the image of inputs."""
-        posted = [(self.input_cells[i], self.input_words[i]) for i in range(self.input_count)]
-        self.input_capacity = count
-        memory = memoryview(bytearray(8 * count))
-        self.input_cells = integers(count)
-        self.input_words = memory.cast("q")
-        self.input_values = memory.cast("d")
-        for i, (cell, word) in enumerate(posted):
-            self.input_cells[i] = cell
-            self.input_words[i] = word
-
-    def latch_posted(self) -> None:
-        """Put the posted values into the memory."""
-        for i in range(self.input_count):
-            self.words[self.input_cells[i]] = self.input_words[i]
-        self.input_count = 0
 
     # --- ticks ----------------------------------------------------------------------------------
 
@@ -341,7 +260,8 @@ class Kernel:
         if self.image.is_attached:
             self.image.latch()
         self.plc.latch()
-        self.latch_posted()
+        if self.posted.count > 0:
+            self.posted.latch()
         self.plc.guard()
         self.requests.latch()
 

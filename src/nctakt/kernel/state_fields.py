@@ -24,10 +24,10 @@ REFERENCES = {
     "CommandQueue": ("rows",),
     "CycleManager": ("loaded", "root"),
     "CyclicTask": ("body",),
-    "Kernel": ("input_cells", "input_values", "input_words"),
     "KinematicMaps": ("values",),
     "LoopBody": ("rows",),
     "PlcCalls": ("delays", "hli", "spindles", "whens"),
+    "PostedValues": ("cells", "values", "words"),
     "Record": ("events", "probes", "rows", "signals"),
     "TransformedLimits": (
         "axis_a", "axis_j", "max_v", "rapid_v", "transformations",
@@ -39,9 +39,9 @@ REFERENCES = {
 #: and ``CommandQueue.used_rows`` have them.
 UNREAD = {
     "CommandQueue": ("rows",),
-    "Kernel": ("input_slots",),
     "Notes": ("numbers", "reals", "values"),
     "PathAxes": ("history_rows",),
+    "PostedValues": ("slots",),
     "Record": ("events", "probes", "rows"),
 }
 #: Where expressions and statements of cycles are: they do not change, except these.

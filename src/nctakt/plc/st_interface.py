@@ -120,7 +120,7 @@ class StInterface:
                 if machine.inputs.on_select is not None:
                     machine.inputs.on_select(channel - 1, program)
             for name, value in written.values.items():
-                machine.kernel.post(signals[name][0], float(value))
+                machine.kernel.posted.post(signals[name][0], float(value))
 
 
 def lay_out(machine: AssembledMachine, begin: int, roots: Collection[str]) -> StInterface:

@@ -57,7 +57,7 @@ class BoundValue:
         type_: str,
         bounds: Sequence[float],
     ) -> None:
-        kernel.check_cell(cell)
+        kernel.posted.check_cell(cell)
         self.access = access
         self.kernel = kernel
         self.notes = notes
@@ -82,7 +82,7 @@ class BoundValue:
         """The present value; a new value is returned even before a tick has latched it."""
         if self.is_text:
             return str(self.access.text_of(self.name))
-        number = self.kernel.present(self.cell)
+        number = self.kernel.posted.present(self.cell)
         if self.is_truth:
             return number != 0.0
         return number
@@ -101,7 +101,7 @@ class BoundValue:
             elif self.is_truth and number - number == 0.0:
                 number = 1.0 if arithmetic.is_true(number) else 0.0
             if self.low <= number <= self.high:
-                self.kernel.put(self.cell, number)
+                self.kernel.posted.put(self.cell, number)
                 if self.notes.is_listening:
                     self.notes.add(source, WRITE, self.name, given)
                 return
@@ -120,7 +120,7 @@ class BoundValues:
         self.count = len(cells)
         self.numbers = memoryview(bytearray(8 * len(cells) + 8)).cast("q")
         for i, cell in enumerate(cells):
-            kernel.check_cell(cell)
+            kernel.posted.check_cell(cell)
             self.numbers[i] = cell
 
 

@@ -167,7 +167,7 @@ class VariableAccess:
         """Return the text of a character string; a written text even before it is latched."""
         location, cell = self._find(name)
         cells = -(-location.size_bytes // CELL_BYTES)
-        return strings.decode(self._kernel.present_bytes(cell, cells)[: location.size_bytes])
+        return strings.decode(self._kernel.posted.present_bytes(cell, cells)[: location.size_bytes])
 
     def draft(self, names: Iterable[str]) -> AbstractContextManager[None]:
         """Let the checks of values written together take each other into account."""
@@ -227,13 +227,13 @@ class VariableAccess:
         """Write a value that depends on its type; raises ``Failure`` as ``converted``."""
         write = self.converted(name, value)
         if isinstance(write.value, bytes):
-            self._kernel.post_bytes(write.cell, write.value)
+            self._kernel.posted.post_bytes(write.cell, write.value)
         else:
-            self._kernel.post(write.cell, write.value)
+            self._kernel.posted.post(write.cell, write.value)
 
     def apply_writes(self) -> None:
         """Apply the writes at once, before the first tick, so that the decoder sees them."""
-        self._kernel.latch_posted()
+        self._kernel.posted.latch()
 
 
 def is_path(name: str) -> bool:

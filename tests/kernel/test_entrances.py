@@ -258,9 +258,9 @@ def test_more_ticks_than_an_integer_holds_are_no_end_in_the_past() -> None:
     """The tick is an integer of 64 bits; the run ends for another reason, here the empty queue."""
     rig = Rig()
     rig.run(3)
-    rig.channel.decoder_open = True
+    rig.channel.feed.decoder_open = True
     assert rig.machine.kernel.run((1 << 63) - 1) == codes.REFILL
-    rig.channel.decoder_open = False
+    rig.channel.feed.decoder_open = False
     assert rig.machine.kernel.run(-1) == codes.DONE
     assert rig.machine.kernel.tick == 3
 

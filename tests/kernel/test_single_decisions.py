@@ -303,8 +303,8 @@ def test_single_block_stops_in_a_block_that_has_no_room_to_stop_in(
 def test_more_is_decoded_only_below_the_low_water() -> None:
     """Commands that take time count; with as many as the mark there are enough."""
     rig = Rig()
-    rig.channel.decoder_open = True
-    rig.channel.low_water = 2
+    rig.channel.feed.decoder_open = True
+    rig.channel.feed.low_water = 2
     rig.dwell(10)
     assert rig.channel.needs_python() == codes.REFILL
     rig.dwell(10)

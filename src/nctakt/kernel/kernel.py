@@ -85,7 +85,7 @@ class ChannelLane(Lane):
     def begin_tick(self, tick: int) -> None:
         self.record.channel = self.number
         self.channel.begin_tick(tick)
-        if self.channel.is_paced:
+        if self.channel.feed.is_paced:
             self.channel.watch_queue(tick)
         self.channel.executor.run_commands(tick)
         self.channel.run_cycles()

@@ -173,7 +173,7 @@ class ChannelRun:
 
     def decode(self) -> None:
         """Decode as long as the granted time lasts."""
-        if self.feeder is not None and self.channel.decoder_open:
+        if self.feeder is not None and self.channel.feed.decoder_open:
             self.feeder.refill()
 
     # --- requests of the kernel -----------------------------------------------------------------

@@ -104,10 +104,10 @@ class QueueFeeder:
         if budget is not None:
             budget.forgive()
         blocks = self._channel.queue.look_ahead.blocks
-        self.high_water = max(blocks + HIGH_WATER, self._channel.low_water + LOW_WATER)
+        self.high_water = max(blocks + HIGH_WATER, self._channel.feed.low_water + LOW_WATER)
         self._channel.executor.taken_source = 0
-        self._channel.decoder_open = True
-        self._channel.wants_slot = False
+        self._channel.feed.decoder_open = True
+        self._channel.feed.wants_slot = False
 
     def refill(self) -> None:
         """Decode until the queue is full enough, the granted time is used or the decoder waits."""
@@ -150,7 +150,7 @@ class QueueFeeder:
     def can_decode(self) -> bool:
         """Whether the decoder does not wait and the queue is below its mark."""
         channel = self._channel
-        return bool(channel.decoder_open and channel.queue.timed_count < self.high_water)
+        return bool(channel.feed.decoder_open and channel.queue.timed_count < self.high_water)
 
     def _queue_paid_command(self) -> bool:
         """Queue the held command once its decode time has been granted; return whether it was."""
@@ -173,7 +173,7 @@ class QueueFeeder:
             self._answer = (self._channel.take_answer(),)
         if isinstance(waiting, commands.DecoderWait) and self._machine.kernel.tick > self._since:
             self._decoder.pass_time(waiting)
-        self._channel.decoder_open = True
+        self._channel.feed.decoder_open = True
         if self._budget is None:
             self.refill()
 
@@ -202,7 +202,7 @@ class QueueFeeder:
         self._decoded.close()
         self._channel.signals.give_up()
         self._channel.exchange.give_up()
-        self._channel.decoder_open = False
+        self._channel.feed.decoder_open = False
 
     def _next(self) -> None:
         answer = self._take_answer()
@@ -210,7 +210,7 @@ class QueueFeeder:
         try:
             command = next(self._decoded) if answer is None else self._decoded.send(answer)
         except StopIteration:
-            self._channel.decoder_open = False
+            self._channel.feed.decoder_open = False
             return
         except DecodeError as error:
             self._give_up(error.diagnostic)
@@ -230,7 +230,7 @@ class QueueFeeder:
         self._report(error)
         source = 0 if error.span is None else self.environment.source_id(error.span)
         self._put(commands.GiveUp(source, 0, error.id), 0)
-        self._channel.decoder_open = False
+        self._channel.feed.decoder_open = False
 
     def _take(self, command: Command) -> None:
         if command is PAUSE:
@@ -262,7 +262,7 @@ class QueueFeeder:
         self._put(command, subject)
         if commands.waits(command):
             self._waiting = command
-            self._channel.decoder_open = False
+            self._channel.feed.decoder_open = False
 
     def _await(self, command: commands.DecoderWait) -> None:
         """Let the decoder wait for a signal, axes, or the next tick; the queue continues."""
@@ -278,7 +278,7 @@ class QueueFeeder:
             self.condition = command.source
             self.awaits_tools = isinstance(command, commands.AwaitTools)
         self._waiting = command
-        self._channel.decoder_open = False
+        self._channel.feed.decoder_open = False
 
     def _load(self, command: commands.LoadCycle) -> bool:
         """Load a cycle into a slot; return False if the decoder has to wait for a free one."""
@@ -287,10 +287,10 @@ class QueueFeeder:
         )
         if slot < 0 and self._channel.can_free_slots():
             self._unloaded = command
-            self._channel.wants_slot = True
+            self._channel.feed.wants_slot = True
             return False
         self._unloaded = None
-        self._channel.wants_slot = False
+        self._channel.feed.wants_slot = False
         if slot < 0:
             self._put(commands.GiveUp(command.source, command.number, TOO_MANY_CYCLES.id), 0)
             self.stop()

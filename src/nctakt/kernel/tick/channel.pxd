@@ -2,16 +2,16 @@
 # C types of channel.py.
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
-from nctakt.kernel.axes.c_axis cimport CAxis
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.cycles.cycles cimport CycleManager
 from nctakt.kernel.path.backward cimport BackwardMotion
-from nctakt.kernel.path.probing.fixed_stops cimport FixedStops
-from nctakt.kernel.path.probing.measuring cimport Measuring
 from nctakt.kernel.path.override cimport Overrides
 from nctakt.kernel.path.path cimport Path
+from nctakt.kernel.axes.c_axis cimport CAxis
+from nctakt.kernel.path.probing.fixed_stops cimport FixedStops
+from nctakt.kernel.path.probing.measuring cimport Measuring
 from nctakt.kernel.path.threads cimport Threads
 from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.plc.technology_slots cimport Hli
@@ -21,6 +21,16 @@ from nctakt.kernel.tick.command_bounds cimport check_command
 from nctakt.kernel.tick.command_execution cimport CommandExecutor
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.tick.wait_reasons cimport WaitReasons
+
+@cython.final
+cdef class DecoderFeed:
+    cdef public Py_ssize_t low_water
+    cdef public bint decoder_open
+    cdef public bint wants_slot
+    cdef public bint is_paced
+    cdef long long starved_since
+    cdef double answer
+    cdef readonly bint answer_ready
 
 @cython.final
 cdef class Channel:
@@ -36,26 +46,18 @@ cdef class Channel:
     cdef readonly Context context
     cdef readonly ChannelSignals signals
     cdef readonly AxisExchange exchange
-    cdef CAxis c_axis
+    cdef Threads threads
     cdef FixedStops fixed_stops
     cdef bint is_at_fixed_stop
     cdef Measuring measuring
-    cdef Threads threads
+    cdef CAxis c_axis
     cdef Overrides overrides
+    cdef readonly DecoderFeed feed
+    cdef double total_pct
     cdef readonly BackwardMotion backward
     cdef readonly WaitReasons waits
-    cdef double total_pct
-    cdef public Py_ssize_t low_water
-    cdef public bint decoder_open
-    cdef public bint wants_slot
-    cdef double answer
-    cdef readonly bint answer_ready
     cdef bint is_reset_due
-    cdef public bint is_paced
-    cdef long long starved_since
     cdef public long long silence_ticks
-    cdef bint has_warned_of_wait
-    cdef bint has_warned_of_spindle
 
     @cython.locals(commands=Py_ssize_t, single=Py_ssize_t, cycles=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil

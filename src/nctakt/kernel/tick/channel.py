@@ -11,25 +11,42 @@ and events say so.
 from __future__ import annotations
 
 from nctakt.kernel import cells, codes, rows
-from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base import arithmetic
-from nctakt.kernel.base.record import Record
-from nctakt.kernel.base.timers import Timers
-from nctakt.kernel.cycles.cycles import CycleManager
 from nctakt.kernel.path.backward import BackwardMotion
-from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.override import Overrides
-from nctakt.kernel.path.path import Path
-from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.axis_exchange import AxisExchange
 from nctakt.kernel.tick.command_bounds import check_command
 from nctakt.kernel.tick.command_execution import CommandExecutor
-from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.signals import SignalBoard
 from nctakt.kernel.tick.wait_reasons import WaitReasons
 
 #: Commands that take time below which the kernel asks for more.
 LOW_WATER = 8
+
+
+class DecoderFeed:
+    """What the decoder owes its channel, and what the channel owes the decoder.
+
+    While the decoder is open, it is asked for commands below ``low_water``, or for a cycle once a
+    slot is free (``wants_slot``). ``answer``: the value that it waits for. ``starved_since``: the
+    tick in which the path had no more commands, -1: it has some.
+    """
+
+    def __init__(self, low_water: int) -> None:
+        self.low_water = low_water
+        self.decoder_open = False
+        self.wants_slot = False
+        self.is_paced = False
+        self.starved_since = -1
+        self.answer = 0.0
+        self.answer_ready = False
+
+    def take_answer(self) -> float:
+        """Take the value that the decoder waits for; raise ``ValueError`` without one."""
+        if not self.answer_ready:
+            raise ValueError("the realtime part has no answer")
+        self.answer_ready = False
+        return self.answer
 
 
 class Channel:
@@ -40,52 +57,37 @@ class Channel:
 
     def __init__(
         self,
-        memory: bytearray,
-        first_cell: int,
-        record: Record,
-        hli: Hli,
-        manager: CycleManager,
-        path: Path,
-        timers: Timers,
+        executor: CommandExecutor,
         max_override_pct: float,
-        look_ahead: LookAhead,
-        single_axes: SingleAxes,
     ) -> None:
-        self.queue = CommandQueue(path, look_ahead)
-        self.executor = CommandExecutor(
-            memory, first_cell, record, hli, manager, timers, single_axes, self.queue
-        )
-        self.path = path
-        self.cells = memoryview(memory).cast("d")
-        self.first_cell = first_cell
-        self.record = record
-        self.hli = hli
-        self.panel = hli.panel
-        self.manager = manager
+        self.executor = executor
+        look_ahead = self.executor.queue.look_ahead
+        self.queue = self.executor.queue
+        self.path = self.executor.path
+        self.cells = self.executor.cells
+        self.first_cell = self.executor.first_cell
+        self.record = self.executor.record
+        self.hli = self.executor.hli
+        self.panel = self.executor.panel
+        self.manager = self.executor.manager
         self.context = self.executor.context
         self.signals = self.executor.signals
-        self.exchange = AxisExchange(path, look_ahead.limits, self.executor)
-        self.c_axis = self.exchange.c_axis
+        self.threads = self.executor.threads
         self.fixed_stops = self.executor.fixed_stops
         self.is_at_fixed_stop = False
         self.measuring = self.executor.measuring
-        self.threads = self.executor.threads
+        self.exchange = AxisExchange(self.path, look_ahead.limits, self.executor)
+        self.c_axis = self.exchange.c_axis
         self.overrides = Overrides(self.context)
-        self.backward = BackwardMotion(path, hli.panel, record, look_ahead, self.overrides)
+        self.backward = BackwardMotion(
+            self.path, self.panel, self.record, look_ahead, self.overrides
+        )
         self.waits = WaitReasons(self.executor, self.overrides, self.exchange)
         self.overrides.max_pct = max_override_pct
         self.total_pct = 100.0
-        self.low_water = max(LOW_WATER, look_ahead.blocks)
-        self.decoder_open = False
-        self.wants_slot = False
-        self.answer = 0.0
-        self.answer_ready = False
+        self.feed = DecoderFeed(max(LOW_WATER, look_ahead.blocks))
         self.is_reset_due = False
-        self.is_paced = False
-        self.starved_since = -1
         self.silence_ticks = 0
-        self.has_warned_of_wait = False
-        self.has_warned_of_spindle = False
         self.exchange.set_signals(self.signals)
 
     # --- Python's side, between two runs --------------------------------------------------------
@@ -97,10 +99,7 @@ class Channel:
 
     def take_answer(self) -> float:
         """Take the value that the decoder waits for; raise ``ValueError`` without one."""
-        if not self.answer_ready:
-            raise ValueError("the realtime part has no answer")
-        self.answer_ready = False
-        return self.answer
+        return self.feed.take_answer()
 
     def can_free_slots(self) -> bool:
         """Return whether realtime cycles may still end unaided and free a slot.
@@ -132,18 +131,18 @@ class Channel:
             return codes.ERROR
         if self.executor.program_ended:
             return codes.PROGRAM_END
-        if self.answer_ready:
+        if self.feed.answer_ready:
             return codes.ANSWER
         if self.signals.is_decoder_waiting and self.can_accept():
             return codes.ANSWER
         if self.exchange.is_waiting and self.exchange.can_exchange():
             return codes.ANSWER
-        if self.is_paced:
+        if self.feed.is_paced:
             return codes.DONE
-        if self.decoder_open and self.wants_slot:
+        if self.feed.decoder_open and self.feed.wants_slot:
             has_slot = self.manager.ended_count > 0 or self.is_idle()
             return codes.REFILL if has_slot else codes.DONE
-        if self.decoder_open and self.queue.timed_count < self.low_water:
+        if self.feed.decoder_open and self.queue.timed_count < self.feed.low_water:
             return codes.REFILL
         return codes.DONE
 
@@ -178,24 +177,30 @@ class Channel:
 
     def watch_queue(self, tick: int) -> None:
         """Record from when to when the path starves because the decoder is late."""
-        is_empty = self.queue.head == self.queue.tail and self.decoder_open and not self.wants_slot
+        is_empty = (
+            self.queue.head == self.queue.tail
+            and self.feed.decoder_open
+            and not self.feed.wants_slot
+        )
         can_go = not (self.path.is_active or self.executor.is_stopped or self.executor.is_resetting)
         can_go = can_go and not self.panel.is_paused
         if is_empty and can_go:
-            if self.starved_since < 0:
-                self.starved_since = tick
+            if self.feed.starved_since < 0:
+                self.feed.starved_since = tick
                 self.record.event(rows.EVENT_STARVED, self.executor.taken_source)
-        elif self.starved_since >= 0:
-            self.record.event(rows.EVENT_FED, self.executor.taken_source, tick - self.starved_since)
-            self.starved_since = -1
+        elif self.feed.starved_since >= 0:
+            self.record.event(
+                rows.EVENT_FED, self.executor.taken_source, tick - self.feed.starved_since
+            )
+            self.feed.starved_since = -1
 
     def begin_tick(self, tick: int) -> None:
         """Latch the PLC's answers and a reset; the CYCLE override is 100 % again (RC-305)."""
         self.context.begin(tick)
         if self.signals.awaits_tick:
             self.signals.awaits_tick = False
-            self.answer = 0.0
-            self.answer_ready = True
+            self.feed.answer = 0.0
+            self.feed.answer_ready = True
         if self.record.records_answers:
             self.hli.record_answers(self.record, codes.ACKNOWLEDGED, rows.EVENT_ACKNOWLEDGED)
         self.hli.latch()
@@ -277,15 +282,15 @@ class Channel:
         self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = total_pct
         if self.fixed_stops.count > 0 and not self.path.is_retracing:
             self.watch_stops()
-        if (factor == 0.0 and not is_stopping) or self.has_warned_of_spindle:
+        if (factor == 0.0 and not is_stopping) or self.waits.has_warned_of_spindle:
             self.watch_spindle(factor)
 
     def watch_spindle(self, factor: float) -> None:
         """Warn once for each standstill in which the path waits for a spindle (G95, 900819)."""
         if factor != 0.0:
-            self.has_warned_of_spindle = False
-        elif not self.has_warned_of_spindle and self.waits.resting_spindle() > 0:
-            self.has_warned_of_spindle = True
+            self.waits.has_warned_of_spindle = False
+        elif not self.waits.has_warned_of_spindle and self.waits.resting_spindle() > 0:
+            self.waits.has_warned_of_spindle = True
             source = int(self.path.history_rows[self.path.row + rows.SOURCE])
             self.record.event(rows.EVENT_ERROR, source, 0, 900819)
 
@@ -339,11 +344,11 @@ class Channel:
     def warn_of_wait(self) -> None:
         """Warn once that a program waits because nothing is left to walk back (50449)."""
         if self.panel.turns_back or self.executor.is_resetting:
-            self.has_warned_of_wait = False
+            self.waits.has_warned_of_wait = False
         waits = self.queue.head < self.queue.tail and not self.path.is_active
         is_held = self.executor.is_stopped or self.executor.is_resetting
-        if waits and not self.has_warned_of_wait and not is_held:
-            self.has_warned_of_wait = True
+        if waits and not self.waits.has_warned_of_wait and not is_held:
+            self.waits.has_warned_of_wait = True
             row = self.queue.head % self.queue.capacity * self.queue.width
             source = int(self.queue.rows[row + rows.SOURCE])
             self.record.event(rows.EVENT_ERROR, source, 0, 50449)
@@ -444,12 +449,12 @@ class Channel:
     def answer_waiting(self) -> None:
         """Answer the flush or synchronous read at the head with the present values."""
         row = self.queue.head % self.queue.capacity * self.queue.width
-        self.answer = 0.0
+        self.feed.answer = 0.0
         if self.executor.waiting == rows.READ:
             cell = int(self.queue.rows[row + rows.READ_CELL])
-            self.answer = self.cells[cell]
+            self.feed.answer = self.cells[cell]
         if self.queue.rows[row + rows.IS_ANSWERED] != 0.0:
-            self.answer_ready = True
+            self.feed.answer_ready = True
         self.executor.waiting = 0
         self.queue.head += 1
         self.queue.timed_count -= 1
@@ -491,7 +496,7 @@ class Channel:
         self.executor.error_pending = False
         self.executor.error_message = 0
         self.executor.waiting = 0
-        self.answer_ready = False
+        self.feed.answer_ready = False
         self.signals.reset()
         self.exchange.reset()
         self.executor.spindle_exchange.reset()

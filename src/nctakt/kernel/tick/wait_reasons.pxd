@@ -15,6 +15,8 @@ cdef class WaitReasons:
     cdef Path path
     cdef Overrides overrides
     cdef AxisExchange exchange
+    cdef bint has_warned_of_wait
+    cdef bint has_warned_of_spindle
 
     @cython.locals(spindle=Py_ssize_t)
     cdef Py_ssize_t resting_spindle(self) noexcept nogil

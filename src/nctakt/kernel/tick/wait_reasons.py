@@ -10,7 +10,7 @@ from nctakt.kernel.tick.command_execution import CommandExecutor
 
 
 class WaitReasons:
-    """The reasons of one channel, found where its commands are executed."""
+    """The reasons of one channel, and of which it has warned: each standstill once."""
 
     def __init__(
         self, executor: CommandExecutor, overrides: Overrides, exchange: AxisExchange
@@ -20,6 +20,8 @@ class WaitReasons:
         self.queue = executor.queue
         self.path = executor.path
         self.overrides = overrides
+        self.has_warned_of_wait = False
+        self.has_warned_of_spindle = False
 
     def reason(self) -> tuple[str, int, int]:
         """Word, source and detail of the reason that holds up the program.

@@ -21,6 +21,8 @@ from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
+from nctakt.kernel.tick.command_execution import CommandExecutor
+from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.lists.machine.axes_by_number import c_axes, path_axes, spindle_numbers
 from nctakt.lists.machine.channel_configuration import ONLY_MOTIONS
 from nctakt.lists.machine.gantries import gantries
@@ -93,37 +95,12 @@ class RealtimePart:
         parameters = channel_lists.parameters
         members = [axis.index for axis in channel_lists.axes]
         first = layout.channel_cell(index)
-        history_bytes = channel_lists.startup.backward_memory_bytes if self._has_history else 0
         room = max(len(members), self._room) if {*self.path_axes.values()} - {*members} else 0
         c_axis = configuration.c_axis_of(channel_lists)
         if self.c_axes:
             room = max(len(members), room, MAIN_AXES) + len(self.c_axes)
-        timers = layout.tables[index].resolve("RTG", (("TIMER", 1),))
-        assert isinstance(timers, Location)
-        channel = Channel(
-            self.memory,
-            first,
-            self.record,
-            Hli(Panel(self.memory, layout.panel_cell(index))),
-            CycleManager(self.record, self.single_axes, codes.CYCLE_OWNERS * index + 1),
-            KernelPath(
-                self.axes,
-                members,
-                configuration.cycle_time_us,
-                history_blocks(history_bytes, len(members)),
-                room,
-            ),
-            Timers(self.memory, timers.cell, configuration.cycle_time_us),
-            parameters.max_override_pct,
-            look_ahead(
-                [configuration.axes[i] for i in members],
-                configuration.cycle_time_us,
-                channel_lists.startup.look_ahead_blocks,
-                parameters.max_override_pct,
-                room,
-            ),
-            self.single_axes,
-        )
+        executor = self._executor(index, layout, room)
+        channel = Channel(executor, parameters.max_override_pct)
         _set_functions(channel, channel_lists)
         limits = parameters.realtime_cycles
         spindles = channel_spindles(configuration, index, layout, self.memory, self.record)
@@ -148,6 +125,41 @@ class RealtimePart:
         self.cells[first + cells.CHANNEL_CYCLES_DIAG_LEVEL] = DEFAULT_DIAGNOSIS_LEVEL
         return channel
 
+    def _executor(self, index: int, layout: Layout, room: int) -> CommandExecutor:
+        """Return the execution of a channel's commands; ``room``: places of its path for axes."""
+        configuration = self._configuration
+        channel_lists = configuration.channels[index]
+        parameters = channel_lists.parameters
+        members = [axis.index for axis in channel_lists.axes]
+        first = layout.channel_cell(index)
+        history_bytes = channel_lists.startup.backward_memory_bytes if self._has_history else 0
+        timers = layout.tables[index].resolve("RTG", (("TIMER", 1),))
+        assert isinstance(timers, Location)
+        path = KernelPath(
+            self.axes,
+            members,
+            configuration.cycle_time_us,
+            history_blocks(history_bytes, len(members)),
+            room,
+        )
+        prepared = look_ahead(
+            [configuration.axes[i] for i in members],
+            configuration.cycle_time_us,
+            channel_lists.startup.look_ahead_blocks,
+            parameters.max_override_pct,
+            room,
+        )
+        return CommandExecutor(
+            self.memory,
+            first,
+            self.record,
+            Hli(Panel(self.memory, layout.panel_cell(index))),
+            CycleManager(self.record, self.single_axes, codes.CYCLE_OWNERS * index + 1),
+            Timers(self.memory, timers.cell, configuration.cycle_time_us),
+            self.single_axes,
+            CommandQueue(path, prepared),
+        )
+
 
 def _set_functions(channel: Channel, configuration: ChannelConfiguration) -> None:
     """Set the axis of each function of a channel, and how far ahead functions are output."""
@@ -157,4 +169,4 @@ def _set_functions(channel: Channel, configuration: ChannelConfiguration) -> Non
             axes_of(parameters.m_functions, configuration),
             axes_of(parameters.h_functions, configuration),
         )
-    channel.low_water = max(channel.low_water, parameters.blocks_ahead)
+    channel.feed.low_water = max(channel.feed.low_water, parameters.blocks_ahead)

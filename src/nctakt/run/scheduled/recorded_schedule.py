@@ -82,7 +82,7 @@ def decode(run: ChannelRun, budget: StepBudget, steps: int) -> int:
         return 0
     budget.grant(steps)
     run.decode()
-    ended = 0 if run.channel.decoder_open else min(1, budget.steps)
+    ended = 0 if run.channel.feed.decoder_open else min(1, budget.steps)
     given = steps - budget.steps + ended
     budget.grant(0)
     return given

@@ -146,7 +146,7 @@ def follow_schedule(machine: AssembledMachine, schedule: RunSchedule) -> None:
     """Make a machine's ticks follow a schedule from the first one on."""
     machine.registry.name_threads([task.name for task in schedule.model.tasks])
     for channel in machine.channels:
-        channel.is_paced = True
+        channel.feed.is_paced = True
     if _sends_late(machine.configuration):
         machine.axes.send_late()
     if machine.kernel.tick or schedule.model.cycle % NS_PER_US:

@@ -25,7 +25,7 @@ from nctakt.kernel import rows
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.outside import Connection
 from nctakt.kernel.st.steps import Step, steps_in_order
-from nctakt.kernel.st.tasks import CyclicTask, PlcSide, PlcTask, PlcTasks
+from nctakt.kernel.st.tasks import CyclicTask, PlcSide, PlcTask, PlcTasks, TaskInfo
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.plc_debugging import POINTER_FROM_OUTSIDE
 from nctakt.messages.plcs.plc import INVALID_AXIS_COMMAND
@@ -304,8 +304,8 @@ class StructuredPlc(RealtimePlc):
         for task in sorted(self.program.tasks, key=_priority, reverse=True):
             body = _body_of(task, self.translated)
             limit = task.cycle_us * _STEPS_PER_US
-            number, places = self._task_info(task)
-            tasks = CyclicTask(body, 1000 * task.cycle_us, limit, tasks, number, *places)
+            number, info = self._task_info(task)
+            tasks = CyclicTask(body, 1000 * task.cycle_us, limit, tasks, number, info)
             self._cyclic.append((task, tasks))
         tick_ns = 1000 * machine.configuration.cycle_time_us
         self._tasks = PlcTasks(context, tasks, tick_ns, kernel.tick, machine.memory, cnc)
@@ -407,7 +407,7 @@ class StructuredPlc(RealtimePlc):
                 if variable is not None:
                     self.context.poke(variable.address, self.check(path, value))
 
-    def _task_info(self, task: Task) -> tuple[int, tuple[int, ...]]:
+    def _task_info(self, task: Task) -> tuple[int, TaskInfo]:
         """Fill in the task data read by code (ST-721); return its number and its counters."""
         number = self.program.tasks.index(task) + 1
         path = f"{_SYSTEM}._TaskInfo[{number}]"
@@ -415,7 +415,7 @@ class StructuredPlc(RealtimePlc):
             path, CycleTime=10 * task.cycle_us, Priority=task.priority, TaskName=task.name
         )
         counted = (find_variable(self.program, f"{path}.{name}") for name in _COUNTED)
-        return number, tuple(0 if one is None else one.address for one in counted)
+        return number, TaskInfo(*(0 if one is None else one.address for one in counted))
 
     def _fill_in(self, path: str, **values: int | str) -> None:
         """Set members of a structure of the system's, if the project uses it."""

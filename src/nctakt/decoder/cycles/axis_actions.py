@@ -59,7 +59,8 @@ class ActionBuilder:
                 codes.ALL_OFFSETS if command.offset == "ALL" else 1 << OFFSETS.index(command.offset)
             )
         unit = self._state.length_unit_mm if nature.is_linear else 1.0
-        return actions.MoveAxis(*moving, position, unit, bool(command.absolute), offsets)
+        target = actions.AxisTarget(position, unit, bool(command.absolute), offsets)
+        return actions.MoveAxis(*moving, target)
 
     def _speed(self, command: AxisCommand) -> actions.Speed:
         """Return the speed: FEED of this command, of an earlier one with G01, or the rapid

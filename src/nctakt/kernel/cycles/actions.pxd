@@ -49,11 +49,15 @@ cdef class MovingStatement(AxisStatement):
     cdef bint is_buffered
     cdef void restart(self) noexcept nogil
 
-cdef class MoveAxis(MovingStatement):
+@cython.final
+cdef class AxisTarget:
     cdef Expression position
     cdef double unit_d
     cdef bint is_absolute
     cdef int offsets
+
+cdef class MoveAxis(MovingStatement):
+    cdef AxisTarget target
     @cython.locals(speed_v=double, position_d=double, direction=int)
     cdef int run(self, Context context) noexcept nogil
     @cython.locals(message=int)

@@ -152,12 +152,24 @@ class MovingStatement(AxisStatement):
         self.speed.memory.speed_v = 0.0
 
 
-class MoveAxis(MovingStatement):
-    """``X[INDP G90|G91 … POS=p]``.
+class AxisTarget:
+    """``G90|G91 POS=p``: where a command moves its axis to, or how far.
 
     ``unit_d``: mm or degrees that a position of 1 means. ``offsets``: which active offsets of the
     axis are added to a target of G90, as bits (``coordinates.Offsets.sum_of``).
     """
+
+    def __init__(
+        self, position: Expression, unit_d: float, is_absolute: bool, offsets: int
+    ) -> None:
+        self.position = position
+        self.unit_d = unit_d
+        self.is_absolute = is_absolute
+        self.offsets = offsets
+
+
+class MoveAxis(MovingStatement):
+    """``X[INDP G90|G91 … POS=p]``."""
 
     def __init__(
         self,
@@ -168,22 +180,16 @@ class MoveAxis(MovingStatement):
         is_buffered: bool,
         source: int,
         cost: int,
-        position: Expression,
-        unit_d: float,
-        is_absolute: bool,
-        offsets: int,
+        target: AxisTarget,
     ) -> None:
         super().__init__(axis, speed, direction, has_direction, is_buffered, source, cost)
-        self.position = position
-        self.unit_d = unit_d
-        self.is_absolute = is_absolute
-        self.offsets = offsets
+        self.target = target
 
     def run(self, context: Context) -> int:
         if instructions.begin(self, context):
             return 1
         speed_v = self.speed.value(context)
-        position_d = self.position.value(context) * self.unit_d
+        position_d = self.target.position.value(context) * self.target.unit_d
         direction = codes.SHORTEST
         if self.has_direction:
             direction = direction_of(self, context, self.direction.value(context))
@@ -199,8 +205,8 @@ class MoveAxis(MovingStatement):
     def command(self, context: Context, position_d: float, speed_v: float, direction: int) -> int:
         """Give the command; return 1 if it is refused, which is a fault."""
         context.single_axes.order(self.source, context.serial)
-        if self.is_absolute:
-            position_d += context.single_axes.axes.offsets.sum_of(self.axis, self.offsets)
+        if self.target.is_absolute:
+            position_d += context.single_axes.axes.offsets.sum_of(self.axis, self.target.offsets)
             message = context.single_axes.move_to(
                 self.axis, position_d, speed_v, self.is_buffered, direction, context.owner
             )

@@ -10,16 +10,20 @@ cdef class PlcTask:
     cdef int is_due(self, long long end) noexcept nogil
     cdef int run(self, PlcContext context, long long begin, long long end) noexcept nogil
 
+@cython.final
+cdef class TaskInfo:
+    cdef long long count_at
+    cdef long long first_at
+    cdef long long length_at
+    cdef long long exceeded_at
+
 cdef class CyclicTask(PlcTask):
     cdef Step body
     cdef long long cycle
     cdef long long max_steps
     cdef PlcTask others
     cdef long long number
-    cdef long long count_at
-    cdef long long first_at
-    cdef long long length_at
-    cdef long long exceeded_at
+    cdef TaskInfo info
     cdef readonly long long due
     cdef readonly long long count
     cdef readonly long long overruns

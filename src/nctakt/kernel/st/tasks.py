@@ -31,12 +31,26 @@ class PlcTask:
         return kinds.GOES_ON
 
 
+class TaskInfo:
+    """Addresses of a task's CycleCount, FirstCycle, LastExecTime and CycleTimeExceeded (ST-804).
+
+    All are 0 in a PLC that does not name them.
+    """
+
+    def __init__(
+        self, count_at: int = 0, first_at: int = 0, length_at: int = 0, exceeded_at: int = 0
+    ) -> None:
+        self.count_at = count_at
+        self.first_at = first_at
+        self.length_at = length_at
+        self.exceeded_at = exceeded_at
+
+
 class CyclicTask(PlcTask):
     """A task with its programs; ``others`` are the tasks after it.
 
-    ``number`` counts from 1; ``count_at`` … ``exceeded_at`` are the addresses of its CycleCount,
-    FirstCycle, LastExecTime and CycleTimeExceeded (ST-804), 0 without. ``overruns`` counts the
-    cycles that took longer than ``cycle`` (ST-830).
+    ``number`` counts from 1. ``overruns`` counts the cycles that took longer than ``cycle``
+    (ST-830).
     """
 
     def __init__(
@@ -45,11 +59,8 @@ class CyclicTask(PlcTask):
         cycle: int,
         max_steps: int,
         others: PlcTask,
-        number: int = 0,
-        count_at: int = 0,
-        first_at: int = 0,
-        length_at: int = 0,
-        exceeded_at: int = 0,
+        number: int,
+        info: TaskInfo,
     ) -> None:
         check_range(cycle, 1, MAX_CYCLE_NS, "cycle")
         check_range(max_steps, 1, 1 << 62, "instructions")
@@ -58,10 +69,7 @@ class CyclicTask(PlcTask):
         self.max_steps = max_steps
         self.others = others
         self.number = number
-        self.count_at = count_at
-        self.first_at = first_at
-        self.length_at = length_at
-        self.exceeded_at = exceeded_at
+        self.info = info
         self.due = 0
         self.count = 0
         self.overruns = 0
@@ -81,9 +89,9 @@ class CyclicTask(PlcTask):
             context.max_steps = self.max_steps
             context.task = self.number
             self.count += 1
-            if self.count_at:
-                words.store(context.memory, self.count_at, kinds.U32, self.count)
-                words.store(context.memory, self.first_at, kinds.BOOL, self.count == 1)
+            if self.info.count_at:
+                words.store(context.memory, self.info.count_at, kinds.U32, self.count)
+                words.store(context.memory, self.info.first_at, kinds.BOOL, self.count == 1)
             if self.body.run(context) == kinds.STOPS:
                 return kinds.STOPS
             if context.instruction_ns:
@@ -100,9 +108,9 @@ class CyclicTask(PlcTask):
             self.overruns += 1
             context.overrun_task = self.number
             context.overrun_ns = length
-        if self.count_at:
-            words.store(context.memory, self.length_at, kinds.U32, words.divide(length, 100))
-            words.store(context.memory, self.exceeded_at, kinds.BOOL, is_exceeded)
+        if self.info.count_at:
+            words.store(context.memory, self.info.length_at, kinds.U32, words.divide(length, 100))
+            words.store(context.memory, self.info.exceeded_at, kinds.BOOL, is_exceeded)
 
 
 class PlcSide:

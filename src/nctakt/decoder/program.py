@@ -14,23 +14,26 @@ from functools import partial
 from math import nan
 
 from nctakt.base.diagnostics import Span
+from nctakt.decoder import tilted_motions
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
+from nctakt.decoder.blocks.path.path_motion import PathMotion
 from nctakt.decoder.blocks.path.path_settings import PathSettings
 from nctakt.decoder.blocks.user_errors import user_error
+from nctakt.decoder.compensation import Compensation
 from nctakt.decoder.cycles.builder import SCOPES, CycleDefinition, CyclePlace, built_cycle
 from nctakt.decoder.cycles.keywords import keyword_of, word_of
 from nctakt.decoder.fast.handover import PlainBlocks
 from nctakt.decoder.flow.axis_exchange import AxisExchange
 from nctakt.decoder.flow.block_search import BlockSearch
-from nctakt.decoder.flow.calls import Calls, has_return
+from nctakt.decoder.flow.calls import Calls, ModalCalls, has_return
 from nctakt.decoder.flow.computed_blocks import is_literal, with_computed_numbers
 from nctakt.decoder.flow.flow import Decoding, Flow, Jump, Return, Signal
 from nctakt.decoder.flow.hash_commands import HashCommands
 from nctakt.decoder.flow.macros import Macros
-from nctakt.decoder.flow.modal_calls import ModalCalls
 from nctakt.decoder.flow.realtime_loops import RealtimeLoops
 from nctakt.decoder.flow.signals import Signals
-from nctakt.decoder.motion_stages import MotionStages
+from nctakt.decoder.shapes.contouring import Contouring
+from nctakt.decoder.shapes.shaping import Shaping
 from nctakt.decoder.state.call_stack import MAX_CALL_DEPTH, MAX_NESTING, CallFrame
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.geometry.offsets import remaining_offset_kinds
@@ -69,6 +72,60 @@ from nctakt.nc.meaning.axes import is_c_axis, is_exchange
 from nctakt.nc.meaning.path import PATH_COMMANDS, command_name
 from nctakt.nc.meaning.words import HIGHEST_CYCLE_ID
 from nctakt.nc.outline import ProgramText, SectionReader, leads_to
+
+
+class MotionStages:
+    """The stages after the decoder that change the motions of a program.
+
+    Shapes of several blocks, then the compensation of the tool's radius, then the curves of
+    contoured corners. Each holds motions until it knows the next one; held commands count as
+    executed. ``pass_time`` is called once for each command that takes time.
+    """
+
+    def __init__(
+        self, values: Values, path: PathMotion, pass_time: Callable[[Command], None]
+    ) -> None:
+        self._environment = values.environment
+        self._pass_time = pass_time
+        self._shaping = Shaping(values, path, pass_time)
+        self.compensation = Compensation(values, path, self._after_shaping)
+        self._contouring = Contouring(values, path, self._after_compensation, self.compensation)
+
+    @property
+    def needs_next(self) -> bool:
+        """Whether the next motion shapes the held one."""
+        return self._shaping.needs_next or self._contouring.needs_next
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether no stage holds a motion, so that commands pass at once."""
+        stages = (self._shaping, self.compensation, self._contouring)
+        return all(stage.is_idle for stage in stages)
+
+    def run(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
+        """Yield the commands of a program with its motions changed; raises ``DecodeError``."""
+        shaped = self._shaping.shape(commands)
+        return self._contouring.contour(self.compensation.compensate(shaped))
+
+    def loop_body(self, body: list[Command]) -> list[Command]:
+        """Return the commands of a realtime loop's body with its motions changed."""
+        shaped = self._shaping.shape_body(body)
+        whole = tilted_motions.all_out_of_plane(shaped, self._environment)
+        return self._contouring.plain_body(whole)
+
+    def pass_time(self, command: Command) -> None:
+        """Note that the consumer has taken a command that takes time."""
+        if not self._contouring.is_releasing:
+            self._after_compensation(command)
+
+    def _after_compensation(self, command: Command) -> None:
+        if not self.compensation.is_releasing:
+            self._after_shaping(command)
+
+    def _after_shaping(self, command: Command) -> None:
+        if not self._shaping.is_releasing:
+            self._pass_time(command)
+
 
 #: Maximum number of consecutive blocks that take no time (a loop that never moves).
 MAX_BLOCKS_WITHOUT_TIME = 100_000

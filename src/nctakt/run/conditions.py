@@ -9,14 +9,25 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NoReturn
 
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.decoder.cycles.watching import read_condition
-from nctakt.messages import diagnostic
-from nctakt.messages.connections.session import NOT_A_STOP
+from nctakt.decoder.cycles.builder import CycleBuilder
+from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.modal_state import state_at_program_start
+from nctakt.decoder.values.fusing import Operand
+from nctakt.decoder.values.variables import Values
+from nctakt.kernel.cycles.expressions import Expression
+from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages import Collector, diagnostic
+from nctakt.messages.connections.session import NOT_A_STOP, NOT_IN_THE_TICK
 from nctakt.messages.machines.folders import UNKNOWN_CHANNEL
+from nctakt.nc import tree
+from nctakt.nc.inspection import inspect
+from nctakt.nc.parse.printer import format_expression
+from nctakt.nc.source import Source
+from nctakt.nc.vocabulary.variables.system_variables import is_decoder_data
 
 if TYPE_CHECKING:
-    from nctakt.kernel.cycles.expressions import Expression
     from nctakt.run.realtime.assembly import AssembledMachine
 
 
@@ -40,3 +51,48 @@ def _no_subprogram(name: str, *_: object) -> NoReturn:
 
 def _ignore(_: object) -> None:
     """Do nothing: a condition that is read gives no notices."""
+
+
+# --- the text of an expression --------------------------------------------------------------------
+
+
+#: The line of the cycle around a text in which the text is, from 1.
+_LINE_OF_TEXT = 2
+
+
+def read_condition(
+    text: str, environment: DecoderEnvironment, parameters: ChannelParameters
+) -> Expression:
+    """Return the expression of a text; raises ``Failure`` with all its mistakes.
+
+    It is read as the condition of a realtime cycle, in mm and degrees.
+    """
+    lines = ["#RT CYCLE [SCOPE=PROG]", f"$IF {text}", "$ENDIF", "#RT CYCLE END", "M30"]
+    collector = Collector()
+    read = inspect(Source("condition", lines), environment.names, parameters, collector)
+    errors = [found for found in collector.diagnostics if found.severity.name == "ERROR"]
+    if errors:  # those of the lines around the text are caused by the mistake in it
+        raise Failure(*([found for found in errors if _is_in_text(found)] or errors))
+    (cycle,) = read.cycles
+    condition = cycle.body[0]
+    if not isinstance(condition, tree.If) or len(cycle.body) > 1:
+        raise Failure(*collector.diagnostics)
+    state = state_at_program_start(parameters.program_start, [0.0] * len(environment.axes))
+    return _LiveBuilder(Values(environment, state), 0).expression(condition.condition)
+
+
+def _is_in_text(found: Diagnostic) -> bool:
+    return found.span is not None and found.span.line == _LINE_OF_TEXT
+
+
+class _LiveBuilder(CycleBuilder):
+    """Builds expressions in which no variable is frozen."""
+
+    def expression(self, expression: tree.Expression) -> Expression:
+        """Return the node of an expression."""
+        return self._builder.build(expression).node
+
+    def _leaf(self, node: tree.Variable | tree.Parameter) -> Operand:
+        if isinstance(node, tree.Parameter) or is_decoder_data(node):
+            raise Failure(diagnostic(NOT_IN_THE_TICK, name=format_expression(node)))
+        return self._load(node)

@@ -30,7 +30,6 @@ from nctakt.run import program_loader
 from nctakt.run.access.inputs import NEVER
 from nctakt.run.access.stimuli import as_inputs, not_reached, read_stimulus
 from nctakt.run.causes.axis_waits import never_given
-from nctakt.run.causes.condition_signals import with_condition_signals
 from nctakt.run.causes.deadlocks import deadlock, never_sent
 from nctakt.run.causes.wait_reasons import wait_reasons
 from nctakt.run.channel_run import ChannelRun, worst_state
@@ -39,6 +38,7 @@ from nctakt.run.plcs.plc_view import PlcView, WatchedPlc
 from nctakt.run.plcs.realtime_plc import parts_of, plc_object
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
 from nctakt.run.realtime.assembly import AssembledMachine, do_nothing
+from nctakt.run.recording import with_condition_signals
 from nctakt.run.tick_loop import TickLoop, TickShares
 
 if TYPE_CHECKING:

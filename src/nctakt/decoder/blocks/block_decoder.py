@@ -32,12 +32,11 @@ from nctakt.decoder.blocks.measuring import Measuring
 from nctakt.decoder.blocks.modal_functions import ModalFunctions
 from nctakt.decoder.blocks.path.contour_lines import ContourLines, FirstLine
 from nctakt.decoder.blocks.path.corners import changes_contour
-from nctakt.decoder.blocks.path.dynamic_weights import DynamicWeighting
 from nctakt.decoder.blocks.path.feed import FeedRate
 from nctakt.decoder.blocks.path.feed_ramps import FeedRamps
 from nctakt.decoder.blocks.path.path_motion import CENTRE_WORDS, PathMotion
 from nctakt.decoder.blocks.path.threads import ThreadMotion
-from nctakt.decoder.blocks.path.weights import weigh
+from nctakt.decoder.blocks.path.weights import DynamicWeighting, weigh
 from nctakt.decoder.blocks.targets import Targets
 from nctakt.decoder.blocks.technology_output import (
     TechnologyOutputs,

@@ -51,7 +51,7 @@ class PendingContour(Protocol):
 
 
 class HeldMotions(Protocol):
-    """The motions that a program holds until it knows the next one (``motion_stages.py``)."""
+    """The motions that a program holds until it knows the next one (``MotionStages``)."""
 
     @property
     def needs_next(self) -> bool:

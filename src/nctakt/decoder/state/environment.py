@@ -68,7 +68,7 @@ class DecoderEnvironment:
     positions. ``cells``: the machine's memory, ``memory``: the same as bytes. ``source_id``:
     returns the number of a span (``base/source_ids.py``). ``line_text``: returns the line of a
     span. ``first_mistake``: checks statements that only the run shows, see
-    ``nc/check/computed_statements.py``. ``spindle_gears``: index -> the gear steps of a spindle
+    ``nc/check/checker.py``. ``spindle_gears``: index -> the gear steps of a spindle
     that the CNC turns. ``text_id``: returns the number of a text for a user error, ``path_id`` that
     of the open programs, ``modal_id`` that of the functions in force. ``warn``: receives findings
     that do not stop the program. ``subprogram``: returns the text of a called file, by name,

@@ -9,11 +9,12 @@ unless a jump may lead there. ``inspection.py`` applies the checker to a whole t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import overload
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.line_shift import LineShift
 from nctakt.base.misspelling import nearest_first
 from nctakt.lists.machine.channel_configuration import ChannelParameters
@@ -466,3 +467,53 @@ def ends(statement: Statement, numbers: Sequence[int]) -> bool:
 
 def _has_label(statement: Statement) -> bool:
     return any(True for _ in labels_in(statement))
+
+
+# --- statements that only the run shows -----------------------------------------------------------
+
+
+def first_mistake(
+    names: NameTable,
+    parameters: ChannelParameters,
+    statements: Sequence[Statement],
+    span: Span,
+    line: Callable[[], str],
+    is_main: bool,
+    named_programs: Iterable[str],
+) -> Diagnostic | None:
+    """Return the first error in statements at ``span``, ``None`` if there is none.
+
+    ``line`` returns the text that they were read from, for a message that shows part of it.
+    ``is_main``: they belong to the main program itself. ``named_programs``: the words whose program
+    ``#FILE NAME`` has named.
+    """
+    collector = Collector()
+    source = Source(span.file, _OneLine(span.line, line))
+    checker = Checker(source, names, parameters, collector, named_programs)
+    checker.begin("main" if is_main else "either")
+    for statement in statements:
+        checker.statement(statement)
+    errors = (one for one in collector.diagnostics if one.severity.name == "ERROR")
+    return next(errors, None)
+
+
+class _OneLine(Sequence[str]):
+    """A text of which only the line of this number matters, the last one."""
+
+    def __init__(self, number: int, line: Callable[[], str]) -> None:
+        self._number = number
+        self._line = line
+
+    def __len__(self) -> int:
+        return self._number
+
+    @overload
+    def __getitem__(self, index: int) -> str: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[str]: ...
+
+    def __getitem__(self, index: int | slice) -> str | Sequence[str]:
+        if isinstance(index, slice):
+            return [self[position] for position in range(*index.indices(self._number))]
+        return self._line() if index == self._number - 1 else ""

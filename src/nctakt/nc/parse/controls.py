@@ -2,17 +2,22 @@
 """Lines that open, divide or close a structure, and jumps: ``$`` words, ``#RT CYCLE``, ``#IF``.
 
 In: a block's text at its ``$`` or ``#``. Out: changes of the open structures. A structure is opened
-even if its condition cannot be read, so that its end does not cause a second message.
+even if its condition cannot be read, so that its end does not cause a second message. A misspelt
+word of a structure is reported and taken as intended; otherwise each later line of the structure
+would be wrong as well.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import NamedTuple, cast
 
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import NOTHING, Span
+from nctakt.base.misspelling import nearest
 from nctakt.messages.path.backward import RT_WHILE_NESTED
+from nctakt.messages.programs.checked_blocks import UNKNOWN_COMMAND
 from nctakt.messages.programs.nc_text import (
     BRANCH_AFTER_ELSE,
     CYCLE_BEGIN_END_MISMATCH,
@@ -20,6 +25,7 @@ from nctakt.messages.programs.nc_text import (
     NAME_EXPECTED,
     STRUCTURE_NOT_OPENED,
     UNEXPECTED_TEXT,
+    UNKNOWN_CONTROL_WORD,
     UNKNOWN_CYCLE_KEYWORD,
 )
 from nctakt.nc.parse.block_head import parse_label
@@ -45,7 +51,6 @@ from nctakt.nc.parse.hash_commands import (
     simple_command,
 )
 from nctakt.nc.parse.lexer import BlockError, BlockText
-from nctakt.nc.parse.misspelt_structures import control_word, structure_command
 from nctakt.nc.parse.open_structures import (
     CycleFrame,
     DoFrame,
@@ -70,6 +75,7 @@ from nctakt.nc.tree import (
     Head,
     If,
     Keyword,
+    Name,
     Statement,
 )
 from nctakt.nc.vocabulary import support_level
@@ -497,3 +503,81 @@ _HASH_LINES: dict[tuple[str, ...], Callable[[CurrentLine, RawCommand], None]] = 
     ("ENDVAR",): _end_variables,
     ("COMMENT", "END"): _comment_end,
 }
+
+
+# --- misspelt words -------------------------------------------------------------------------------
+
+
+#: A second word, as in ``$ELSE IF``; not that of a jump, which has a ``$`` itself.
+_SECOND_PART = re.compile(r"\s+(IF|FOR|WHILE|DO|SWITCH)(?!\w)", re.IGNORECASE)
+_DIVIDED = ("$ELSE", "$END")
+#: Words of other languages.
+_OTHER_WORDS = {
+    "$ELIF": "$ELSEIF",
+    "$FI": "$ENDIF",
+    "$NEXT": "$ENDFOR",
+    "$WEND": "$ENDWHILE",
+    "$ESAC": "$ENDSWITCH",
+}
+#: Ends of ``#`` structures, without blanks and ``_``.
+_OTHER_ENDS = {
+    **dict.fromkeys(
+        ("ENDRTCYCLE", "RTCYCLEEND", "RTENDCYCLE", "ENDCYCLE", "ENDRT"), ("RT", "CYCLE", "END")
+    ),
+    "ENDVAR": ("ENDVAR",),
+    "VAREND": ("ENDVAR",),
+    "ENDCOMMENT": ("COMMENT", "END"),
+}
+
+
+def control_word(
+    text: BlockText, start: int, word: str, known: Iterable[str], structures: StructureStack
+) -> str:
+    """Return the known control word, begun at ``start``, that ``word`` is or is meant for.
+
+    Raises ``BlockError`` for any other word.
+    """
+    names = tuple(known)
+    second = text.looking_at(_SECOND_PART) if word in _DIVIDED else None
+    if second is None and word in names:
+        return word
+    if second is not None:
+        text.pos = second.end()
+        word += second[1].upper()
+    suggestion = _OTHER_WORDS.get(word) or nearest(word, names) or NOTHING
+    written = shown(text.text[start : text.pos])
+    error = BlockError(UNKNOWN_CONTROL_WORD, start, text.pos, word=written, suggestion=suggestion)
+    if suggestion == NOTHING:
+        raise error
+    structures.block_error(text, error)
+    return suggestion
+
+
+def structure_command(
+    text: BlockText,
+    words: Sequence[Name],
+    known: Iterable[tuple[str, ...]],
+    structures: StructureStack,
+) -> tuple[Name, ...]:
+    """Return the words of a command, with misspelt words of a structure corrected."""
+    end = _OTHER_ENDS.get("".join(word.name for word in words).replace("_", ""))
+    if end is not None:
+        return _meant(text, words, end, structures)
+    for meant in known:
+        written = words[: len(meant)]
+        if nearest(" ".join(word.name for word in written), (" ".join(meant),)):
+            return (*_meant(text, written, meant, structures), *words[len(meant) :])
+    return tuple(words)
+
+
+def _meant(
+    text: BlockText, written: Sequence[Name], meant: tuple[str, ...], structures: StructureStack
+) -> tuple[Name, ...]:
+    """Report words of a command; return those that are meant, at the same places."""
+    start = text.text.index("#")
+    span = replace(text.span(start, start + 1), end_column=written[-1].span.end_column)
+    nearest = "#" + " ".join(meant)
+    error = BlockError(UNKNOWN_COMMAND, 0, 0, span, word=shown(text.text_of(span)), nearest=nearest)
+    structures.block_error(text, error)
+    last = len(written) - 1
+    return tuple(replace(written[min(n, last)], name=name) for n, name in enumerate(meant))

@@ -10,25 +10,6 @@ Layout: ``Expression`` (values), ``BlockWord`` (words of a block), ``Statement``
 program, each with a ``Head`` of block number, skip level and label).
 """
 
-from nctakt.nc.tree.commands import (
-    CycleControl,
-    Flush,
-    HashCommand,
-    OffsetCommand,
-    OffsetCommandName,
-    Time,
-    Timer,
-    UserError,
-    UserMessage,
-)
-from nctakt.nc.tree.program import (
-    Declaration,
-    Program,
-    ProgramStart,
-    Subprogram,
-    Unreadable,
-    VariableDeclarations,
-)
 from nctakt.nc.tree.statements import (
     NO_HEAD,
     Assignment,
@@ -36,12 +17,27 @@ from nctakt.nc.tree.statements import (
     Block,
     Break,
     Continue,
+    CycleControl,
+    Declaration,
+    Flush,
     Goto,
+    HashCommand,
     Head,
     MacroDefinition,
+    OffsetCommand,
+    OffsetCommandName,
+    Program,
+    ProgramStart,
     Statement,
+    Subprogram,
     SubprogramCall,
+    Time,
+    Timer,
+    Unreadable,
+    UserError,
+    UserMessage,
     VariableBlock,
+    VariableDeclarations,
 )
 from nctakt.nc.tree.structures import (
     Case,

@@ -36,7 +36,7 @@ from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.inputs import MISSPELLED_SIGNAL, NAMES_OF_DEMO_MACHINE, UNKNOWN_SIGNAL
 from nctakt.messages.plcs.plc import STALE_ACKNOWLEDGEMENT
-from nctakt.nc.check.computed_statements import first_mistake
+from nctakt.nc.check.checker import first_mistake
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variables.variable_table import NameTable
 from nctakt.run.access.input_words import API

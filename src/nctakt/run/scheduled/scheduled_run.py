@@ -2,7 +2,8 @@
 """A run under a schedule: decoder, interpolation and PLC get limited time (``run --rtconf``).
 
 In: a machine, a schedule. Out: before each tick, the blocks decoded in the granted time; whether
-the tick takes place; how often the PLC runs after it.
+the tick takes place; how often the PLC runs after it. A channel's threads are those with its
+contexts (P-RTCF-00017 with P-CHAN-00410 and 00411), else all with the function.
 """
 
 from __future__ import annotations
@@ -10,8 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.lists.declared.rtconf import REALTIME_FUNCTION, RtconfConfiguration
+from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import Machine
 from nctakt.lists.machine.schedules.scheduling_checks import check_contexts, check_time_limits
 from nctakt.messages import Collector, diagnostic
@@ -19,16 +23,20 @@ from nctakt.messages.machines.machine import RTCONF_MISSING
 from nctakt.messages.scheduling.linux_run import CYCLES_MAY_TAKE_WINDOWS_TIME
 from nctakt.messages.scheduling.schedule_check import CHANNEL_CONTEXT_WITHOUT_THREAD
 from nctakt.messages.scheduling.schedule_results import THREAD_OVERFLOWED
-from nctakt.messages.scheduling.scheduled_runs import TICK_MISMATCH
+from nctakt.messages.scheduling.scheduled_runs import (
+    NO_COMMON_TICK,
+    REQUIRED_FUNCTION_NOT_CALLED,
+    TICK_MISMATCH,
+    UNKNOWN_PLC_THREAD,
+)
 from nctakt.run.channel_run import ChannelRun
 from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.schedule.analysis.findings import simulation_findings
-from nctakt.schedule.model import NS_PER_US
+from nctakt.schedule.model import NS_PER_US, Model, TaskClass
 from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.schedule.simulation.results import Simulation
-from nctakt.schedule.simulation.thread_roles import find_thread_roles
-from nctakt.schedule.simulation.ticks import Share, ThreadRoles, TickSchedule
+from nctakt.schedule.simulation.ticks import DECODER_FUNCTION, Share, ThreadRoles, TickSchedule
 
 #: Findings about the machine's own scheduling list, which has no effect under a schedule: no list,
 #: contexts without a thread, realtime cycles in the time of Windows.
@@ -162,3 +170,76 @@ def _sends_late(machine: Machine) -> bool:
     order = machine.rtconf.schedule
     allowed = all(axis.optimised_schedule for axis in machine.axes)
     return order == "STANDARD" or (order == "COMPLETE" and not allowed)
+
+
+# --- the threads of a controller ------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class _Lists:
+    configuration: RtconfConfiguration
+    model: Model
+
+    def with_function(self, function: str, context: int) -> tuple[int, ...]:
+        """Return the threads that call a function: those of the context, else all."""
+        threads = self.configuration.threads
+        callers = [
+            i
+            for i, task in enumerate(self.model.tasks[: len(threads)])
+            if any(call.function == function for call in task.calls)
+        ]
+        own = tuple(i for i in callers if threads[i].context == context)
+        return own or tuple(callers)
+
+    def interpolators(self, context: int) -> tuple[int, ...]:
+        """Return the threads of the interpolation: with ``task_int``, else the most urgent."""
+        callers = self.with_function(REALTIME_FUNCTION, context)
+        tasks = enumerate(self.model.tasks)
+        return callers or tuple(
+            i for i, task in tasks if task.kind is TaskClass.REALTIME and task.calls
+        )
+
+
+def find_thread_roles(
+    configuration: RtconfConfiguration,
+    model: Model,
+    channels: Sequence[ChannelParameters],
+    plc: str | None,
+    collector: Collector,
+) -> ThreadRoles | None:
+    """Return the roles; ``None`` after errors. ``plc``: its semaphore, if the load names it."""
+    lists = _Lists(configuration, model)
+    found = Collector()
+    interpolators: dict[int, None] = {}
+    decoders: dict[tuple[int, ...], list[int]] = {}
+    for index, channel in enumerate(channels):
+        interpolators |= dict.fromkeys(lists.interpolators(channel.context_geo))
+        threads = lists.with_function(DECODER_FUNCTION, channel.context_sda)
+        decoders.setdefault(threads, []).append(index)
+    if not interpolators:
+        found.report(REQUIRED_FUNCTION_NOT_CALLED, None, function=REALTIME_FUNCTION)
+    if () in decoders:
+        found.report(REQUIRED_FUNCTION_NOT_CALLED, None, function=DECODER_FUNCTION)
+    periods = {model.tasks[i].every for i in interpolators}
+    if len(periods) > 1:
+        names = ", ".join(model.tasks[i].name for i in interpolators)
+        found.report(NO_COMMON_TICK, None, threads=names)
+    plc_thread = _plc(model, plc, found)
+    collector.diagnostics += found.diagnostics
+    if found.has_errors:
+        return None
+    groups = tuple((threads, tuple(own)) for threads, own in decoders.items())
+    return ThreadRoles(periods.pop(), tuple(interpolators), groups, plc_thread)
+
+
+def _plc(model: Model, name: str | None, collector: Collector) -> int | None:
+    """Return the external thread that is the PLC: the one that the load names, else the first."""
+    external = [i for i, task in enumerate(model.tasks) if task.kind is TaskClass.EXTERNAL]
+    if name is None:
+        return external[0] if external else None
+    for i in external:
+        if model.tasks[i].name == name:
+            return i
+    names = ", ".join(model.tasks[i].name for i in external)
+    collector.report(UNKNOWN_PLC_THREAD, None, name=name, names=names or "–")
+    return None

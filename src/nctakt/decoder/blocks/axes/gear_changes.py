@@ -17,7 +17,7 @@ from nctakt.decoder.state.spindle_gears import SpindleGears
 from nctakt.decoder.values.variables import Values
 from nctakt.hli.function_codes import code_of
 from nctakt.messages.axes.couplings import NOT_WHILE_COUPLED
-from nctakt.messages.axes.gears import (
+from nctakt.messages.axes.spindles import (
     GEAR_CHANGE_WHILE_TURNING,
     GEAR_FUNCTION_SYNCHRONISATION,
     GEAR_OF_PLC_SPINDLE,

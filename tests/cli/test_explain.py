@@ -8,9 +8,8 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main
-from nctakt.reference.article import Topic
+from nctakt.reference.article import WIDTH, Topic
 from nctakt.reference.concepts import GERMAN_GUIDES, find_concepts
-from nctakt.reference.layout import WIDTH
 from nctakt.reference.messages import MESSAGES
 from nctakt.reference.topics import TOPICS, nearest_word
 from nctakt.studies.measuring.measures import read_expectation

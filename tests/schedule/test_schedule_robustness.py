@@ -14,10 +14,9 @@ from nctakt.base.mode import is_compiled
 from nctakt.lists.machine.schedules.scheduling import load_rtconf
 from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
-from nctakt.schedule.analysis.analyse import analyse
+from nctakt.schedule.analysis.analyse import analyse, simulate_worst_phases
 from nctakt.schedule.analysis.findings import analysis_findings, simulation_findings
 from nctakt.schedule.analysis.margins import find_margins
-from nctakt.schedule.analysis.worst_phase import simulate_worst_phases
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.effective_table import effective_rows
 from nctakt.schedule.load import ASSUMED, read_load

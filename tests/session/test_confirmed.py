@@ -9,8 +9,7 @@ import pytest
 
 from nctakt import Controller, NcText
 from nctakt.session.core import NEXT_BLOCK, SessionCore
-from nctakt.session.history.confirmed import Confirmed
-from nctakt.session.history.trail import Mark
+from nctakt.session.history.trail import Confirmed, Mark
 from nctakt.session.process.process_pool import RemoteEngine
 from nctakt.session.process.worker import can_fork
 from nctakt.session.setup import Setup

@@ -25,10 +25,9 @@ from nctakt.cli.findings.json_documents import as_json, plain
 from nctakt.hli.table import find
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.explaining import MISSPELLED_TOPIC, UNKNOWN_TOPIC
-from nctakt.reference.article import Article
+from nctakt.reference.article import Article, article_lines, list_lines, topic_lines
 from nctakt.reference.concepts import SMALL_WORDS, find_concepts, is_subject
 from nctakt.reference.elements import is_path
-from nctakt.reference.layout import article_lines, list_lines, topic_lines
 from nctakt.reference.topics import (
     TOPICS,
     answer_question,

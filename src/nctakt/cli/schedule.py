@@ -193,8 +193,8 @@ def _write_fixed(read: ListRead, words: dict[str, Any]) -> tuple[ListRead, Diagn
 
 
 def _simulate(words: dict[str, Any]) -> int:
+    from nctakt.schedule.analysis.analyse import simulate_worst_phases  # noqa: PLC0415
     from nctakt.schedule.analysis.findings import simulation_findings  # noqa: PLC0415
-    from nctakt.schedule.analysis.worst_phase import simulate_worst_phases  # noqa: PLC0415
     from nctakt.schedule.pictures.drawn_cycles import simulate_shown  # noqa: PLC0415
     from nctakt.schedule.reports.documents import simulation_document  # noqa: PLC0415
     from nctakt.schedule.reports.report import response_report, simulation_report  # noqa: PLC0415

@@ -51,7 +51,7 @@ from nctakt.messages.connections.servers import (
 from nctakt.messages.files import FILE_NOT_WRITABLE
 from nctakt.messages.scheduling.real_schedule import SPEED_OF_REAL_SCHEDULE
 from nctakt.messages.scheduling.scheduled_runs import OPTION_WITHOUT_SCHEDULE
-from nctakt.servers.building import building
+from nctakt.servers.serving import building
 
 if TYPE_CHECKING:
     from nctakt.servers.serving import EndpointOpener

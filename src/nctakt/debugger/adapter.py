@@ -4,6 +4,8 @@
 In: messages of one client (``receive``, from the thread that reads them). Out: answers in the order
 of the requests, events. One thread (``serve``) works on requests and, between them, on the run. A
 client gets an answer to everything it sends: an impossible request is an error with its remedy.
+A program continues from another block by a restart with block search; if that is impossible, the
+present session stays.
 """
 
 from __future__ import annotations
@@ -23,7 +25,6 @@ from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.breakpoints import MODES, Breakpoints
 from nctakt.debugger.debuggee import Abilities, Debuggee
 from nctakt.debugger.exceptions import ExceptionFilters, filters
-from nctakt.debugger.jumps import search_block, start_block
 from nctakt.debugger.launch import Configuration, read_configuration
 from nctakt.debugger.relay import Relay, Relayed
 from nctakt.debugger.requests import Requests
@@ -35,8 +36,11 @@ from nctakt.messages.connections.debugger import (
     REQUEST_CANCELLED,
     TOO_MANY_REQUESTS,
 )
+from nctakt.messages.programs.block_search import START_BLOCK_NOT_REACHED
 from nctakt.ports.framing import Message, MessageWriter
+from nctakt.session.engine import StepResult
 from nctakt.session.session import Session
+from nctakt.session.stops import StopAt
 
 #: Requests that wait at most.
 MAX_REQUESTS = 256
@@ -521,3 +525,42 @@ def _shifted(value: Any, lines: int, columns: int, depth: int = 0) -> Any:
         else:
             shifted[name] = _shifted(item, lines, columns, depth + 1)
     return shifted
+
+
+# --- another block to continue from ---------------------------------------------------------------
+
+
+#: Machine time in which the start block becomes current, else the session stays before it.
+LONGEST_APPROACH = "10 min"
+
+
+def start_block(debuggee: Debuggee, arguments: Arguments) -> dict[str, Any] | None:
+    """Return the block that a line begins, as a target; ``None`` if a search cannot end there."""
+    file = debuggee.sources.name_of(arguments.part("source"))
+    first = next(iter(debuggee.session.description.texts), None)
+    line = arguments.number("line")
+    if file is None or file != first:
+        return None
+    location = debuggee.places(file).at_or_after(line)
+    if location is None or location.kind != "block" or location.line != line:
+        return None
+    return {"id": line, "label": debuggee.sources.line(file, line), "line": line}
+
+
+def search_block(
+    debuggee: Debuggee, configuration: Configuration, line: int
+) -> tuple[Session, StepResult]:
+    """Return a session at the block of a line, and how it has come there; raises ``Failure``."""
+    file = next(iter(debuggee.session.description.texts), "")
+    session = configuration.at_line(line).open()
+    try:
+        done = session.run(LONGEST_APPROACH, until=[StopAt("block", file=file, line=line)])
+        if not done.hits:
+            found = [*session.description.diagnostics, *done.diagnostics]
+            errors = [one for one in found if one.severity is Severity.ERROR]
+            missing = diagnostic(START_BLOCK_NOT_REACHED, block=str(line))
+            raise Failure(*(errors or [missing]))
+    except BaseException:
+        session.close()
+        raise
+    return session, done

@@ -49,8 +49,7 @@ from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.channel_states import ChannelState, channel_states
 from nctakt.session.decoders import DecoderState, decoder_state
-from nctakt.session.history.columns import MAX_SIGNALS, Extent, Necessary, extent_end
-from nctakt.session.history.evidence import necessary
+from nctakt.session.history.columns import MAX_SIGNALS, Extent, Necessary, extent_end, necessary
 from nctakt.session.history.trail import Mark, Trail, now_us
 from nctakt.session.outline import outlined
 from nctakt.session.rest import LOOK_TICKS, PAUSED, rest

@@ -3,7 +3,9 @@
 
 In: a comparison that keeps its overlaid samples, the programs of its run, the words of its options.
 Out: files by name: the samples of the log, the programs and lists without names and texts, and a
-summary. The run is repeated from these files alone, to find out whether they suffice.
+summary. The run is repeated from these files alone, to find out whether they suffice. Of the lists
+only entries with an effect stay, under neutral names; axes, spindles and functions keep theirs,
+since programs are written with them.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from __future__ import annotations
 import json
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,10 +29,15 @@ from nctakt.comparison.comparison import Comparison
 from nctakt.comparison.deviations import Overlaid
 from nctakt.comparison.recorded import RecordedColumns
 from nctakt.comparison.report import comparison_document
-from nctakt.comparison.sharing.neutral_lists import neutral_lists
 from nctakt.comparison.sharing.neutral_names import NeutralNames
 from nctakt.files.access import FileAccess
+from nctakt.lists.all_parameters import SCHEMA_BY_KIND
+from nctakt.lists.declared.variables import SCALARS
+from nctakt.lists.format.parameter import Effect, ValueType
+from nctakt.lists.machine.files import ListSearch
 from nctakt.lists.machine.machine import Machine
+from nctakt.lists.writing.list_items import Comment, Item, read_items
+from nctakt.lists.writing.list_writer import ascii_text
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import (
     LOG_TOO_LONG_TO_SHARE,
@@ -282,3 +290,76 @@ def share_lines(share: Share, folder: str, language: Language) -> Iterator[str]:
     yield _NAMES.get(language).format(count=share.names)
     if not share.findings:
         yield _ALIKE.get(language)
+
+
+# --- the lists ------------------------------------------------------------------------------------
+
+
+#: The name of the start-up list, by which a folder is a machine.
+_STARTUP = "hochlauf.lis"
+#: Texts that stay: names of axes, of spindles, of the controller's functions.
+_KEPT = frozenset(
+    (
+        "kopf.log_achs_name",
+        "gruppe[].achse[].bezeichnung",
+        "spindel[].bezeichnung",
+        "main_spindle_name",
+        "default_ax_name_of_spindle",
+        "m_default_outp_ax_name[]",
+        "h_default_outp_ax_name[]",
+        "thread[].function[].name",
+    )
+)
+#: Prefixes of the patterns of the user's names and types.
+_OWN = ("var[", "vch[", "struct[", "coordinate_system.", "thread[")
+_PROGRAM = "_prog_file"
+
+
+def neutral_lists(machine: Machine, names: NeutralNames, access: FileAccess) -> dict[str, str]:
+    """Return the lists by their neutral names; raises ``Failure`` if one cannot be read."""
+    startup = machine.lists[0][1]
+    search = ListSearch(startup, access, startup.parent)
+    files: dict[Path, str] = {}
+    for kind, path in machine.lists:
+        number = len(files) + 1
+        files.setdefault(path.resolve(), f"{kind}{number}.lis" if files else _STARTUP)
+    found: dict[str, str] = {}
+    for kind, path in machine.lists:
+        name = files[path.resolve()]
+        if name not in found:
+            items = read_items(access.read_bytes(path), SCHEMA_BY_KIND[kind])
+            listed = files if kind == "startup" else {}
+            kept = _neutral(items, listed, search, names)
+            lines = ascii_text(kept, "en").splitlines()
+            found[name] = "".join(f"{line.partition('(')[0].rstrip()}\n" for line in lines)
+    return found
+
+
+def _neutral(
+    items: list[Comment | Item],
+    files: Mapping[Path, str],
+    search: ListSearch,
+    names: NeutralNames,
+) -> Iterator[Item]:
+    for item in items:
+        parameter = item.parameter if isinstance(item, Item) else None
+        if parameter is None or parameter.effect is not Effect.USED:
+            continue
+        assert isinstance(item, Item)
+        value: str | None = item.value
+        if parameter.type is ValueType.STRING and item.value:
+            file = search.find(item.value) if files else None
+            value = None if file is None else files.get(file.resolve())
+            if value is None:
+                value = _text(parameter.pattern, item.value, names)
+        if value is not None:
+            yield replace(item, value=value, comment="")
+
+
+def _text(pattern: str, value: str, names: NeutralNames) -> str | None:
+    """Return the neutral text of a parameter; ``None`` if it is left out."""
+    if pattern in _KEPT or value.upper() in SCALARS:
+        return value
+    if pattern.startswith(_OWN):
+        return names.name(value)
+    return names.file(value) if _PROGRAM in pattern else None

@@ -8,9 +8,13 @@ explains how they are found. Tasks of equal urgency count as more urgent.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from nctakt.base.dataclass import dataclass
 from nctakt.schedule.analysis.response import Response, ResponseSearch
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass
+from nctakt.schedule.simulation.results import Simulation
+from nctakt.schedule.simulation.simulate import simulate
 
 #: If responses that depend on each other still grow after this many rounds, there is no bound.
 _MAX_ROUNDS = 100
@@ -169,3 +173,20 @@ def _analyse_cpu(search: ResponseSearch, cpu: int, tasks: tuple[TaskAnalysis, ..
     is_late = has_suspendable and search.offsets.latest > max(0, begin)
     share = search.supply.min_per_cycle / distance
     return CpuAnalysis(cpu, demand, share, intruders, is_late)
+
+
+# --- worst phases ---------------------------------------------------------------------------------
+
+
+def simulate_worst_phases(run: Simulation) -> dict[int, Simulation]:
+    """Return the simulations of as many cycles, by phase in ns."""
+    model = run.model
+    if model.train.is_phase_known:
+        return {}
+    phases = sorted(set(analyse(model).phases.values()))
+    return {
+        phase: simulate(
+            replace(model, train=replace(model.train, phase=phase)), run.cycles, record=0
+        )
+        for phase in phases
+    }

@@ -5,22 +5,25 @@ In: the rows of the recorded signals and the events of writes, as the ticks are 
 time. Out: the ticks in which a signal can have met the condition of a stop; the last tick in which
 a realtime cycle has written a variable. The lowest and the highest value of a signal in some
 thousand ticks are kept, so that a search reruns only ticks in which the condition can have been
-met.
+met. The condition follows from the text of a stop, as far as it compares a recorded signal.
 """
 
 from __future__ import annotations
 
 import bisect
+import re
 from array import array
-from collections.abc import Iterator, Sequence
-from typing import Literal
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Literal, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
 from nctakt.kernel import rows
-from nctakt.session.stops import EventFilter
+from nctakt.run.realtime.assembly import AssembledMachine
+from nctakt.session.stops import EventFilter, StopAt
 
 #: Ticks whose lowest and highest values are kept together; at most this many are recorded at once.
 EXTENT_TICKS = 16_384
@@ -239,3 +242,36 @@ class ColumnRecord:
     def _backward(self, before: int) -> Iterator[Extent]:
         end = bisect.bisect_left(self._extents, before, key=lambda extent: extent.first_tick)
         return (self._extents[index] for index in range(end - 1, -1, -1))
+
+
+# --- evidence about a stop ------------------------------------------------------------------------
+
+
+_NAME = r"\s*(?P<name>V\.[\w.\[\]]+?)\s*"
+_VARIABLE = re.compile(_NAME)
+_COMPARISON = re.compile(_NAME + r"(?P<operator><=|>=|==|!=|<|>)\s*(?P<number>-?\d+(?:\.\d+)?)\s*")
+
+_Operator = Literal["<", "<=", ">", ">=", "==", "!="]
+
+
+def necessary(
+    stop: StopAt, machine: AssembledMachine, columns: Mapping[int, int]
+) -> Necessary | None:
+    """Return a signal's necessary condition for a stop; ``None`` if none is known.
+
+    ``columns``: cell of a recorded signal -> its column.
+    """
+    pattern = {"condition": _COMPARISON, "changes": _VARIABLE}.get(stop.kind)
+    match = None if pattern is None else pattern.fullmatch(stop.text)
+    if match is None:
+        return None
+    prefix = f"CH{stop.channel}." if stop.channel > 1 else ""
+    try:
+        cell, is_text = machine.access.cell_of(f"{prefix}{match['name']}")
+    except Failure:
+        return None
+    if is_text or cell not in columns:
+        return None
+    if stop.kind == "changes":
+        return Necessary(columns[cell], "changes")
+    return Necessary(columns[cell], cast("_Operator", match["operator"]), float(match["number"]))

@@ -27,7 +27,6 @@ from nctakt.session.history.branch import Branch, index_of
 from nctakt.session.history.columns import WRITE_KINDS, Necessary
 from nctakt.session.history.comparing import BranchDifference, fork_of
 from nctakt.session.history.comparing import first_difference as differing
-from nctakt.session.history.confirmed import Confirmed
 from nctakt.session.history.parked import Parked, ParkedControllers
 from nctakt.session.history.parking import COPY_US, DENSE_US, SPARSE_US, approach, first_gap
 from nctakt.session.history.record import (
@@ -38,6 +37,7 @@ from nctakt.session.history.record import (
     past_differs,
     ticks_of,
 )
+from nctakt.session.history.trail import Confirmed
 from nctakt.session.process.process_pool import ProcessPool, RemoteEngine
 from nctakt.session.schedules import CLOSE, RESTART, TABLE
 from nctakt.session.setup import Setup

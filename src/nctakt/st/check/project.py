@@ -4,6 +4,7 @@
 In: declarations of the project and the libraries that it refers to. Out: ``Program``. All mistakes
 are reported; an object with mistakes leaves the others checked. Fixed addresses count bytes,
 regardless of their letter: ``%IW2`` are the bytes 2 and 3, ``%IX2.7`` is the last bit of byte 2.
+Afterwards single expressions, such as the questions of a debugger, are checked in any scope.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from operator import itemgetter
 from typing import Protocol
 
+from nctakt.base.diagnostics import Severity
+from nctakt.base.failure import Failure
 from nctakt.messages.plcs.st_check import (
     ADDRESSES_OVERLAP,
     CONSTANT_EXPECTED,
@@ -23,17 +26,18 @@ from nctakt.messages.plcs.st_check import (
     PROGRAM_OF_TASK_UNKNOWN,
     RECURSION_REFUSED,
 )
-from nctakt.messages.plcs.st_text import NESTED_TOO_DEEP
+from nctakt.messages.plcs.st_text import NESTED_TOO_DEEP, UNEXPECTED_TOKEN
 from nctakt.st.check.conversions import bases_of
 from nctakt.st.check.names import Names, Namespace, Scope
 from nctakt.st.check.resolver import Resolver
-from nctakt.st.check.single import SingleExpressions
 from nctakt.st.check.statements import StatementChecker
 from nctakt.st.files.libraries import OwnLibrary
 from nctakt.st.files.objects import parse_text
-from nctakt.st.parse.parser import MAX_DEPTH
+from nctakt.st.parse.lexer import END, Definitions, Lexer
+from nctakt.st.parse.parser import MAX_DEPTH, ExpressionParser, SyntaxFaultError
 from nctakt.st.program import Program, Task
 from nctakt.st.reporting import Reporter
+from nctakt.st.sources import Piece
 from nctakt.st.tree import (
     Declaration,
     GlobalListNode,
@@ -545,3 +549,64 @@ def _overlapping(variables: Iterable[Variable]) -> Iterator[tuple[Variable, Vari
                 yield variable, last
             if end > reach:
                 reach, last = end, variable
+
+
+# --- single expressions ---------------------------------------------------------------------------
+
+
+#: The name of such a text in messages.
+FILE = "expression"
+#: Maximum length of such a text, and number of different texts kept.
+MAX_CHARACTERS = 1000
+MAX_KEPT = 10_000
+
+
+class SingleExpressions:
+    """Reads expressions in the scopes of a project that has been checked."""
+
+    def __init__(self, checker: StatementChecker) -> None:
+        self._checker = checker
+        self._known: dict[tuple[str, int], Expression] = {}
+
+    def read(self, text: str, unit: Callable | None) -> Expression:
+        """Return an expression in the scope of a unit, ``None``: that of global names.
+
+        Raises ``Failure`` with its mistakes.
+        """
+        key = text, id(unit)
+        found = self._known.get(key)
+        if found is None:
+            found = self._read(text, unit)
+            if len(self._known) < MAX_KEPT:
+                self._known[key] = found
+        return found
+
+    def _read(self, text: str, unit: Callable | None) -> Expression:
+        checker = self._checker
+        reporter = checker.reporter
+        with reporter.apart() as collector:
+            piece = reporter.sources.add(Piece(FILE, text, [0], [1], [1]))
+            reporter.sources.lines[FILE] = [text]
+            expression: Expression | None = None
+            try:
+                parser = ExpressionParser(Lexer(piece, Definitions(), reporter).read(), reporter)
+                expression = parser.expression()
+                if parser.kinds[parser.index] != END:
+                    parser.report(UNEXPECTED_TOKEN, found=parser.texts[parser.index])
+                self._check(expression, unit)
+            except SyntaxFaultError:
+                pass  # it is reported
+        errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
+        if errors or expression is None:
+            raise Failure(*errors)
+        return expression
+
+    def _check(self, expression: Expression, unit: Callable | None) -> None:
+        checker = self._checker
+        scope, checker.scope = checker.scope, Scope()
+        try:
+            if isinstance(unit, Pou | Method) and unit in checker.resolver.nodes:
+                checker.scope = checker.resolver.nodes[unit][1]
+            checker.expression(expression)
+        finally:
+            checker.scope = scope

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import hypothesis
 from hypothesis import strategies
@@ -197,7 +197,7 @@ def by_hypothesis(case: Case, runs: int) -> tuple[int, int]:
         suppress_health_check=list(hypothesis.HealthCheck),
     )  # fmt: skip
     @hypothesis.given(strategies.tuples(*(strategies.integers(0, n - 1) for n in space.sizes)))
-    def run(coordinates: Sequence[int]) -> None:
+    def run(coordinates: tuple[int, ...]) -> None:
         nonlocal made, needed
         if made >= runs:
             return

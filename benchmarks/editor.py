@@ -66,11 +66,12 @@ class Measured:
         self.arrived = asyncio.Event()
         self.version = -1
 
-        @self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)
-        def published(params: types.PublishDiagnosticsParams) -> None:
-            if params.version is not None:
-                self.version = params.version
-                self.arrived.set()
+        self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(self._published)
+
+    def _published(self, params: types.PublishDiagnosticsParams) -> None:
+        if params.version is not None:
+            self.version = params.version
+            self.arrived.set()
 
     async def start(self) -> float:
         """Start a server; the seconds until it has answered."""
@@ -85,7 +86,7 @@ class Measured:
         """End the server."""
         await self.client.shutdown_async(None)
         self.client.exit(None)
-        await self.client.stop()
+        await self.client.stop()  # type: ignore[no-untyped-call]
 
     async def findings_of(self, version: int) -> None:
         """Wait for the findings of a version."""

@@ -26,7 +26,7 @@ from itertools import pairwise
 from pathlib import Path
 from struct import pack, unpack_from
 
-from benchmarks import doors_opcua
+from benchmarks import endpoints_opcua
 from benchmarks.ads_client import AdsClient, Served, count_answers
 from nctakt.servers.ads.codes import Command, Group
 
@@ -204,7 +204,7 @@ def main(span_s: float) -> None:
     measure_reads(span_s)
     measure_notifications(span_s)
     measure_round_trip()
-    doors_opcua.main()
+    endpoints_opcua.main()
     measure_soak(6 * span_s)
 
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import math
 import platform
-import sys
 import time
 
 from nctakt.base.mode import is_compiled
@@ -30,7 +29,7 @@ ON, OFF = "#KIN ID [91]\n#TRAFO ON\n", ""
 def places(length: float, count: int) -> list[tuple[float, ...]]:
     """Corners of a line that winds, with a tool that turns by up to 1° in each block."""
     x, y = 100.0, 50.0
-    found = []
+    found: list[tuple[float, ...]] = []
     for i in range(count + 1):
         found.append((x, y, 0.1 * i, 20.0 + 15.0 * math.sin(0.05 * i), 10.0 + 0.05 * i))
         x += length * math.cos(0.02 * i)
@@ -94,4 +93,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -10,6 +10,7 @@ from __future__ import annotations
 import platform
 import time
 from collections.abc import Callable
+from functools import partial
 
 from nctakt.base.mode import is_compiled
 from nctakt.decoder.kinematics.chain import Chain, Joint, ProgrammedAngles, X, Y, Z, map_values
@@ -34,7 +35,7 @@ CHAINS = {
 }
 
 
-def doubles(values: list[float]) -> memoryview:
+def doubles(values: list[float]) -> memoryview[float]:
     """Return values as the realtime part wants them."""
     row = memoryview(bytearray(8 * len(values))).cast("d")
     for i, value in enumerate(values):
@@ -63,12 +64,10 @@ def main() -> None:
         number = maps.add(map_values(chain, range(AXES), 100.0))
         axes = doubles([10.0, -20.0, 30.0, 33.0, -41.0])
         tool, back = doubles([0.0] * AXES), doubles([0.0] * AXES)
-        empty = best_ns(lambda m=maps, n=number: m.aim(n, zero, zero, zero))
+        empty = best_ns(partial(maps.aim, number, zero, zero, zero))
         maps.forward(number, axes, axes, tool)
-        forward = best_ns(lambda m=maps, n=number, a=axes, t=tool: m.forward(n, a, a, t)) - empty
-        inverse = (
-            best_ns(lambda m=maps, n=number, a=axes, t=tool, b=back: m.inverse(n, t, a, b)) - empty
-        )
+        forward = best_ns(partial(maps.forward, number, axes, axes, tool)) - empty
+        inverse = best_ns(partial(maps.inverse, number, tool, axes, back)) - empty
         print(f"{name:38} {forward:9.0f} {inverse:9.0f} {forward + inverse:9.0f}")
 
 

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import math
 import platform
-import sys
 import time
 
 from benchmarks.tick import LAWS, REPEATS, program
@@ -29,7 +28,7 @@ CHUNK = 180
 def places(length: float, count: int, turn: float) -> list[tuple[float, ...]]:
     """The corners of a line that turns by ``turn`` radians in each of its blocks."""
     x, y, z = 0.0, 0.0, 0.0
-    found = [(x, y, z, 0.0)]
+    found: list[tuple[float, ...]] = [(x, y, z, 0.0)]
     for i in range(count):
         x += length * math.cos(turn * i)
         y += length * math.sin(turn * i)
@@ -129,4 +128,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import gc
 import platform
-import sys
 import tempfile
 import time
 from collections.abc import Callable
@@ -154,7 +153,7 @@ def runs_per_second(plc: Path | None, folder: Path, count: int = 200) -> tuple[f
     path.write_text(SHORT, "utf-8")
     study = Study(
         program=str(path),
-        **({} if plc is None else {"plc": str(plc)}),
+        plc=None if plc is None else str(plc),
         vary=[{"variable": "V.E.COUNT", "from": 0, "to": count, "step": 1}],
         measure={"crossed": "time of M100"},
     )
@@ -193,4 +192,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

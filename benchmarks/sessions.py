@@ -84,7 +84,7 @@ class Meter:
             finally:
                 self._controllers_s += max(0.0, _worked_s(engine.process) - before_s)
 
-        RemoteEngine.ask = counted  # type: ignore[method-assign]
+        RemoteEngine.ask = counted  # type: ignore[method-assign, assignment]
         try:
             yield
         finally:

@@ -26,6 +26,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 from nctakt.base.mode import is_compiled
@@ -114,7 +115,7 @@ def observed(path: Path, program: NcText | Path, ticks: int, goal: str) -> None:
     times: dict[str, list[float]] = {name: [] for name in kinds}
     for _ in range(TURNS):
         for name, words in kinds.items():
-            times[name].append(took(lambda words=words: run(*words)))
+            times[name].append(took(partial(run, *words)))
     plain = min(times.pop("plain"))
     print(f"{path.name}, {ticks:,} ticks: {plain:.2f} s")
     for name, own in times.items():
@@ -130,13 +131,13 @@ def steps_back(path: Path) -> None:
             times = []
             for _ in range(STEPS):
                 begin = time.perf_counter()
-                used = took(lambda step=step: session.step_statement_back(step))
+                used = took(partial(session.step_statement_back, step))
                 times.append((used, time.perf_counter() - begin))
-            used, passed = zip(*times, strict=True)
+            used_s, passed_s = zip(*times, strict=True)
             print(
-                f"a step back {step}: {1000 * statistics.median(used):.1f} ms of the processor in "
-                f"the median, {1000 * max(used):.1f} ms at most (goal 100), "
-                f"{1000 * statistics.median(passed):.1f} ms passed"
+                f"a step back {step}: {1000 * statistics.median(used_s):.1f} ms of the processor "
+                f"in the median, {1000 * max(used_s):.1f} ms at most (goal 100), "
+                f"{1000 * statistics.median(passed_s):.1f} ms passed"
             )
 
 

@@ -66,12 +66,11 @@ class Measured:
         self.arrived = asyncio.Event()
         self.version = -1
 
-        self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)(self._published)
-
-    def _published(self, params: types.PublishDiagnosticsParams) -> None:
-        if params.version is not None:
-            self.version = params.version
-            self.arrived.set()
+        @self.client.feature(types.TEXT_DOCUMENT_PUBLISH_DIAGNOSTICS)  # type: ignore[untyped-decorator]
+        def published(params: types.PublishDiagnosticsParams) -> None:
+            if params.version is not None:
+                self.version = params.version
+                self.arrived.set()
 
     async def start(self) -> float:
         """Start a server; the seconds until it has answered."""

@@ -11,8 +11,7 @@ import pytest
 from nctakt import NcText
 from nctakt.base.failure import Failure
 from nctakt.session.core import SessionCore
-from nctakt.session.process.open_files import check_open_files, open_again
-from nctakt.session.process.worker import can_fork
+from nctakt.session.process.worker import can_fork, check_open_files, open_again
 from nctakt.session.setup import Setup
 
 pytestmark = pytest.mark.skipif(not can_fork(), reason="a controller cannot be copied here")

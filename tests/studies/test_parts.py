@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main
-from nctakt.studies.rows.parts import Part, RowsOfParts, parse_part
+from nctakt.studies.rows.results import Part, RowsOfParts, parse_part
 
 Captured = pytest.CaptureFixture[str]
 

@@ -113,7 +113,7 @@ def _lister(
 ) -> Callable[[str, CycleDefinition], None]:
     """Return a function that adds a definition to ``listed``."""
     from nctakt.decoder.cycles.memory_budget import memory_bytes  # noqa: PLC0415 - mode first
-    from nctakt.results.listing import Listing  # noqa: PLC0415
+    from nctakt.results.instruction_tree import Listing  # noqa: PLC0415
 
     listing = Listing(options.language)
     places = controller.machine.channels[0].parameters.realtime_cycles.buffers

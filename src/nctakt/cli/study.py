@@ -27,8 +27,7 @@ from nctakt.run.options import RunOption, accepted_by
 
 if TYPE_CHECKING:
     from nctakt.studies.rows.folder_store import FolderStore
-    from nctakt.studies.rows.parts import Part
-    from nctakt.studies.rows.results import StreamedRows
+    from nctakt.studies.rows.results import Part, StreamedRows
     from nctakt.studies.rows.row_store import RowStore
     from nctakt.studies.searching.search_runs import SearchRuns
     from nctakt.studies.study import Study, StudyResult
@@ -340,8 +339,7 @@ def _part(words: dict[str, Any]) -> Part | None:
     """
     if words["part"] is None:
         return None
-    from nctakt.studies.rows.parts import parse_part  # noqa: PLC0415 - as above
-    from nctakt.studies.rows.results import SUFFIXES  # noqa: PLC0415
+    from nctakt.studies.rows.results import SUFFIXES, parse_part  # noqa: PLC0415
 
     part = parse_part(words["part"])
     if part is None:
@@ -452,7 +450,7 @@ def _rows_of_parts(folder: str, words: dict[str, Any]) -> StreamedRows:
     """Return the rows of the parts in a folder; report missing ones (902535)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
     from nctakt.messages.commands.studies import NO_PARTS, PARTS_MISSING  # noqa: PLC0415
-    from nctakt.studies.rows.parts import RowsOfParts  # noqa: PLC0415
+    from nctakt.studies.rows.results import RowsOfParts  # noqa: PLC0415
 
     rows = RowsOfParts(Path(folder))
     if len(rows.counts) != 1:

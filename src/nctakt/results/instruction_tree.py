@@ -4,7 +4,9 @@
 In: a definition: its checked tree and its frozen values. Out: statements in their order, each with
 the nodes that are counted when it runs. Each operator, function, variable access, assignment,
 condition and action counts 1, constants count 0; a frozen variable is one access, regardless of its
-indices. The nodes that the realtime part fuses are listed separately.
+indices. The nodes that the realtime part fuses are listed separately. As text (``nctakt
+disassemble``), a definition that is reached again is listed once; its frozen values are listed each
+time.
 """
 
 from __future__ import annotations
@@ -13,7 +15,7 @@ import dataclasses
 from collections.abc import Iterator, Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Span
+from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.decoder.cycles.builder import CycleDefinition, FrozenValue
 from nctakt.nc import tree
 from nctakt.nc.parse.printer import format_expression, format_word, print_statement
@@ -190,3 +192,80 @@ def _expressions(node: tree.Node) -> Iterator[tree.Expression]:
                 yield item
             elif isinstance(item, tree.Node):
                 yield from _expressions(item)
+
+
+# --- as text --------------------------------------------------------------------------------------
+
+
+_HEAD = Text("Realtime cycle {name}, {position}", "Echtzeit-Zyklus {name}, {position}")
+_SIZE = Text(
+    "elementary instructions: {count}, in one run-through at most {maximum}; memory: {bytes} bytes",
+    "Elementar-Anweisungen: {count}, in einem Durchlauf höchstens {maximum}; Speicher: {bytes} "
+    "Byte",
+)
+_FROZEN = Text("frozen when it was decoded: {values}", "beim Dekodieren eingefroren: {values}")
+_FROZEN_VALUE = Text("{name} = {value} (line {line})", "{name} = {value} (Zeile {line})")
+_AGAIN = Text("the instructions of cycle {first}", "die Anweisungen von Zyklus {first}")
+_FREEZES = Text("frozen", "eingefroren")
+_COLUMNS = (Text("line", "Zeile"), Text("count", "Anzahl"))
+_STEP = "  "
+
+
+class Listing:
+    """Lists one definition after another, in the order in which the decoder reached them."""
+
+    def __init__(self, language: Language) -> None:
+        self._language = language
+        self._listed: dict[Span, str] = {}
+
+    def lines(self, name: str, definition: CycleDefinition, memory_bytes: int) -> Iterator[str]:
+        """Yield the lines of a cycle; ``memory_bytes`` is its share of P-CHAN-00407."""
+        cycle = list_cycle(definition)
+        position = f"{cycle.span.file}:{cycle.span.line}"
+        yield self._text(_HEAD, name=name, position=position)
+        counts = {"count": cycle.count, "maximum": cycle.max_count, "bytes": memory_bytes}
+        yield _STEP + self._text(_SIZE, **counts)
+        if cycle.frozen:
+            yield _STEP + self._text(_FROZEN, values=self._frozen(cycle))
+        first = self._listed.setdefault(cycle.span, name)
+        if first != name:
+            yield _STEP + self._text(_AGAIN, first=first)
+            return
+        yield ""
+        yield from self._table(cycle)
+
+    def _text(self, text: Text, **values: object) -> str:
+        return text.get(self._language).format_map(values)
+
+    def _frozen(self, cycle: ListedCycle) -> str:
+        return ", ".join(
+            self._text(
+                _FROZEN_VALUE, name=value.name, value=value_text(value.value), line=value.span.line
+            )
+            for value in cycle.frozen
+        )
+
+    def _table(self, cycle: ListedCycle) -> Iterator[str]:
+        """Yield the rows: line, count of the statement, count of the node, text."""
+        line_head, count_head = (head.get(self._language) for head in _COLUMNS)
+        widths = (max(6, len(line_head)), max(6, len(count_head)))
+        yield f"{line_head:>{widths[0]}}  {count_head:>{widths[1]}}"
+        yield f"{cycle.span.line:>{widths[0]}}  {'':>{widths[1]}}  {cycle.text}"
+        for statement in cycle.statements:
+            indent = _STEP * (statement.depth + 1)
+            yield (
+                f"{statement.line:>{widths[0]}}  {statement.count:>{widths[1]}}  "
+                f"{indent}{statement.text}"
+            )
+            for line in self._nodes(statement):
+                yield f"{'':>{widths[0]}}  {'':>{widths[1]}}  {indent}{_STEP}{line}"
+
+    def _nodes(self, statement: ListedStatement) -> Iterator[str]:
+        """Yield the nodes of a statement; none for a statement of a single node."""
+        if len(statement.instructions) < 2 and not any(
+            instruction.is_frozen for instruction in statement.instructions
+        ):
+            return
+        for instruction in statement.instructions:
+            mark = f", {_FREEZES.get(self._language)}" if instruction.is_frozen else ""
+            yield f"{instruction.count}  {_STEP * instruction.depth}{instruction.text}{mark}"

@@ -6,7 +6,8 @@ It has one thread: it takes a request from its connection, executes it, and answ
 between two requests: the child is a parked controller, a copy of the whole state at that tick (the
 decoder's generators and a scripted PLC included), which takes a few milliseconds and shares its
 memory until it runs. A parked controller that is woken forks again, and its copy continues; so it
-can be woken any number of times.
+can be woken any number of times. Files that a PLC in Python only reads are opened again by the
+copy, at the same position; all others would be shared by both, and are refused by name.
 """
 
 from __future__ import annotations
@@ -18,17 +19,20 @@ import os
 import pickle
 import signal
 import socket
+import stat
 import sys
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterator
 from multiprocessing.connection import Client, Connection
+from pathlib import Path
 from typing import Any
 
 from nctakt.base import interrupts
 from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.connections.session import PLC_HOLDS_OPEN
 from nctakt.session.engine import Engine
-from nctakt.session.process.open_files import check_open_files, open_again
 from nctakt.session.setup import Setup
 
 #: The answer to a request: the result, or the reason why there is none; and how long it took, in
@@ -186,3 +190,59 @@ def main() -> None:
 
 if __name__ == "__main__":
     main()
+
+
+# --- open files -----------------------------------------------------------------------------------
+
+
+_DESCRIPTORS = Path("/proc/self/fd")
+
+#: Standard input, output and error.
+_STANDARD = 3
+
+#: Files that are named in the diagnostic at most.
+_MAX_NAMED = 3
+
+
+def check_open_files(own: Collection[int]) -> list[int]:
+    """Return the descriptors that a copy must reopen; ``own`` are not the PLC's.
+
+    Raises ``Failure`` (902060) if the PLC holds something open that two processes must not share.
+    """
+    import fcntl  # noqa: PLC0415 - not on Windows, where nothing is copied
+
+    again: list[int] = []
+    held: list[str] = []
+    for descriptor, name, mode in _opened(own):
+        flags = fcntl.fcntl(descriptor, fcntl.F_GETFL)
+        if stat.S_ISREG(mode) and flags & os.O_ACCMODE == os.O_RDONLY:
+            again.append(descriptor)
+        elif not (stat.S_ISDIR(mode) or stat.S_ISCHR(mode)):
+            held.append(name)
+    if held:
+        shown = ", ".join(held[:_MAX_NAMED]) + (", …" if len(held) > _MAX_NAMED else "")
+        raise Failure(diagnostic(PLC_HOLDS_OPEN, names=shown))
+    return again
+
+
+def open_again(descriptors: Collection[int]) -> None:
+    """Give this process its own positions in files shared with the process it is a copy of."""
+    for descriptor in descriptors:
+        position = os.lseek(descriptor, 0, os.SEEK_CUR)
+        opened = os.open(_DESCRIPTORS / str(descriptor), os.O_RDONLY | os.O_CLOEXEC)
+        os.lseek(opened, position, os.SEEK_SET)
+        os.dup2(opened, descriptor, inheritable=False)
+        os.close(opened)
+
+
+def _opened(own: Collection[int]) -> Iterator[tuple[int, str, int]]:
+    """Yield the descriptors of the PLC, each with its name and its mode."""
+    for path in sorted(_DESCRIPTORS.iterdir(), key=lambda one: int(one.name)):
+        descriptor = int(path.name)
+        if descriptor < _STANDARD or descriptor in own:
+            continue
+        try:
+            name, mode = str(path.readlink()), os.fstat(descriptor).st_mode
+        except OSError:  # it belonged to this list
+            continue
+        yield descriptor, name, mode

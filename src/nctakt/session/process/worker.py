@@ -188,10 +188,6 @@ def main() -> None:
     worker.end()
 
 
-if __name__ == "__main__":
-    main()
-
-
 # --- open files -----------------------------------------------------------------------------------
 
 
@@ -246,3 +242,7 @@ def _opened(own: Collection[int]) -> Iterator[tuple[int, str, int]]:
         except OSError:  # it belonged to this list
             continue
         yield descriptor, name, mode
+
+
+if __name__ == "__main__":
+    main()

@@ -249,8 +249,8 @@ def test_another_channel_can_be_shown() -> None:
         shared.do(lambda session: session.run("2 ticks"))
         with shared.lock:
             shown = shared.snapshot_of(None)
-        assert shared.prefix == "CH2."
-        assert shared.axes == ["X"]
+        assert shared.channel.prefix == "CH2."
+        assert shared.channel.axes == ["X"]
         assert shared.scope[-1] == "CH2.V.E.OWN"
         assert shown.values["CH2.V.E.OWN"] == 20
         assert shown.blocks[2].file == files[2]

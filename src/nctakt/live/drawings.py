@@ -200,17 +200,17 @@ class Drawings:
         now: dict[str, Any] = {
             "names": list(shown.signals),
             "units": list(shown.units),
-            "booleans": [name in shared.booleans for name in shown.signals],
+            "booleans": [name in shared.description.booleans for name in shown.signals],
             "conditions": [one.line for one in shown.conditions],
             "lanesShown": self._lanes_shown(shown.conditions),
             "hidden": shown.hidden,
-            "cycleUs": shared.cycle_time_us,
+            "cycleUs": shared.description.cycle_time_us,
             "tick": snapshot.shown_tick,
             "latest": snapshot.latest - 1,
-            "block": view.block_line(snapshot, shared.channel, shared.file),
+            "block": view.block_line(snapshot, shared.channel.number, shared.channel.file),
             "now": view.values_of(snapshot, shown.signals),
             "isPlaying": snapshot.is_playing,
-            "bars": shared.explainer.bars(shared.moment, shared.file),
+            "bars": shared.explainer.bars(shared.moment, shared.channel.file),
         }
         if self._sent.drawn:  # first of all the present
             now["future"] = shared.ahead.shown(shared.future_subject)
@@ -258,7 +258,7 @@ class Drawings:
     def show_session(self) -> None:
         """Show the signals and axes of a session that is new."""
         self._show_signals()
-        axes = list(self._shared.path_signals)
+        axes = list(self._shared.channel.path)
         if self._path.props["axes"] != axes:
             self._name_columns()
             self._path.update()
@@ -272,28 +272,28 @@ class Drawings:
     def _show_signals(self) -> None:
         """Show which signals are chosen; they come first, so that the others keep their places."""
         scope = self._shared.scope
-        others = view.choosable(self._shared.units) if self._has_offered else ()
+        others = view.choosable(self._shared.description.signals) if self._has_offered else ()
         self._signals.set_options(list(dict.fromkeys((*scope, *others))), value=list(scope))
 
     def _name_columns(self) -> None:
         """Let the path know the columns of its positions, and the limits of its axes."""
-        shared = self._shared
-        self._path.props["axes"] = list(shared.path_signals)
-        self._path.props["tip"] = list(shared.tip_signals[:3])
-        self._path.props["direction"] = list(shared.tip_signals[3:])
-        self._path.props["rapid"] = f"{shared.prefix}PATH.RAPID"
-        self._path.props["channel"] = shared.channel
-        others = shared.other_paths
+        channel = self._shared.channel
+        self._path.props["axes"] = list(channel.path)
+        self._path.props["tip"] = list(channel.tip[:3])
+        self._path.props["direction"] = list(channel.tip[3:])
+        self._path.props["rapid"] = f"{channel.prefix}PATH.RAPID"
+        self._path.props["channel"] = channel.number
+        others = channel.others
         self._path.props["others"] = [
             {"channel": one.channel, "axes": one.axes, "rapid": one.rapid} for one in others
         ]
         self._name_channels([one.channel for one in others])
-        self._path.props["limits"] = [self._limits.get(axis) for axis in shared.axes[:3]]
-        self._axes.set_visibility(bool(shared.tip_signals))
+        self._path.props["limits"] = [self._limits.get(axis) for axis in channel.axes[:3]]
+        self._axes.set_visibility(bool(channel.tip))
 
     def _name_channels(self, others: Sequence[int]) -> None:
         """Say in the legend which colour is which channel, where there are several."""
-        chosen, texts = self._shared.channel, self._texts
+        chosen, texts = self._shared.channel.number, self._texts
         numbers = sorted((chosen, *others)) if others else []
         self._channels.clear()
         with self._channels:

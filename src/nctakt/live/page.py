@@ -233,7 +233,7 @@ class Page:
     def _subject_now(self) -> tuple[object, ...]:
         """Return the data that decides which signals and variables the page has."""
         shared = self._shared
-        return shared.snapshot.serial, shared.channel, shared.file
+        return shared.snapshot.serial, shared.channel.number, shared.channel.file
 
     def _follow(self) -> None:
         """Show new data, once the browser has drawn the previous."""
@@ -284,12 +284,12 @@ class Page:
 
     def _new_readings(self, snapshot: Snapshot) -> dict[str, str]:
         """Return the readings that have changed."""
-        shared = self._shared
-        if any(f"{shared.prefix}{axis}.ACS.ACT_POS" not in snapshot.values for axis in shared.axes):
+        channel, cycle_us = self._shared.channel, self._shared.description.cycle_time_us
+        if any(
+            f"{channel.prefix}{axis}.ACS.ACT_POS" not in snapshot.values for axis in channel.axes
+        ):
             return {}  # of the channel before
-        readings = view.readings(
-            snapshot, shared.axes, shared.prefix, shared.cycle_time_us, self._texts
-        )
+        readings = view.readings(snapshot, channel.axes, channel.prefix, cycle_us, self._texts)
         new = {
             name: text for name, text in readings.items() if self._latest.readings.get(name) != text
         }

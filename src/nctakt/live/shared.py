@@ -15,20 +15,19 @@ from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from typing import Any
 
-from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure, error_text
 from nctakt.comparison.overlay import LoggedCurve
 from nctakt.live import view
 from nctakt.live.ahead import Ahead, FutureOf
-from nctakt.live.conditions import conditions_of
 from nctakt.live.parts.explaining import Explainer, Moment, why_plc_text, why_text
 from nctakt.live.plc_words import PlcFiles, PlcWords
 from nctakt.live.run_log import RunLog
 from nctakt.live.searching import Searches
+from nctakt.live.shown_channel import ShownChannel
 from nctakt.live.time_account import TimeAccounting, TimesShown
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
-from nctakt.live.view import LogRow, Snapshot, VariableRow
+from nctakt.live.view import LogRow, Snapshot
 from nctakt.session.listening import Frame, Listener
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
@@ -49,26 +48,14 @@ _REST_S = 0.1
 #: bends, and how many of its ticks are shown.
 SCOPE_ROWS, SCOPE_TICKS = 1000, 200_000
 
-#: Paths of other channels that are drawn.
-_MAX_OTHERS = 7
-
 #: Opens the session of all programs, or of one; whether functions acknowledge themselves.
 Opener = Callable[[str | None, bool], Session]
-
-
-@dataclass(frozen=True, slots=True)
-class OtherPath:
-    """Signals of a channel other than the one shown: X, Y, Z, ``None`` without such an axis."""
-
-    channel: int
-    axes: tuple[str | None, ...]
-    rapid: str
 
 
 class SharedSession:
     """A session and the data that browsers show; raises ``Failure`` if it cannot be opened.
 
-    ``file`` and ``channel``: those that are shown. ``delay``: ticks to an automatic
+    ``channel``: the one that is shown, with its program. ``delay``: ticks to an automatic
     acknowledgement, 0: the CNC acknowledges at once, ``None``: a person does. ``in_control``: the
     browser that may command. ``stops``: those of users, as text. ``busy``: commands under way.
     ``branch_names``: those given by users. ``logged``: curves of a machine's log. ``plcs``: those
@@ -100,10 +87,8 @@ class SharedSession:
         }
         self._opener = opener
         self.plc_files = PlcFiles(plcs)
-        self.file = file
         self.delay: int | None = 0 if acknowledges else None
         self.program: str | None = None
-        self.channel = channel
         self.in_control: str | None = None
         self.stops: list[str] = []
         self.busy = 0
@@ -113,14 +98,13 @@ class SharedSession:
         self._listener: Listener | None = None
         self.watchers: set[Callable[[], None]] = set()
         self._is_closed = self._has_rested = False
-        self._rows_of: tuple[object, Sequence[str], list[VariableRow]] | None = None
         self._serial = self._number = 0
         self.track = Track()
         self.explainer = Explainer(self._look_now)
         self.ahead = Ahead()
         self.searches = Searches()
         self._accounting: TimeAccounting | None = None
-        self._start(self._opened())
+        self._start(self._opened(), channel, file)
         self._thread = threading.Thread(target=self._watch, name="nctakt live", daemon=True)
         self._thread.start()
 
@@ -133,64 +117,32 @@ class SharedSession:
             session.set_stops(*self.stops)
         return session
 
-    def _start(self, session: Session) -> None:
+    def _start(self, session: Session, channel: int, file: str) -> None:
         self.session = session
         self._serial += 1
         self.branch_names: dict[int, str] = {}
-        description = session.description
-        self.texts = description.texts
-        self.units = description.signals
-        self.booleans = description.booleans
-        self.cycle_time_us = description.cycle_time_us
-        self.channel_count = description.channel_count
-        self.lines: Sequence[str] = list(self.texts.get(self.file, ()))
-        self.plc_words = PlcWords(description.plc_texts)
-        self._set_axes()
+        self.description = session.description
+        self.plc_words = PlcWords(self.description.plc_texts)
+        self._show_channel(channel, file)
         self.track.clear(session.branch)
-        self.log = RunLog(self.cycle_time_us)
-        self._refused = description.diagnostics
+        self.log = RunLog(self.description.cycle_time_us)
         self.stopped_at: tuple[int, str] = (0, "")
         self._looked_at: tuple[object, ...] = ()
         self._passing = None
         self.snapshot = self.snapshot_of(None)
 
-    def _other_paths(self) -> tuple[OtherPath, ...]:
-        """Return the paths of further channels whose axes can be drawn along with those shown."""
-        found: list[OtherPath] = []
-        for channel in range(1, self.channel_count + 1):
-            prefix = "" if channel == 1 else f"CH{channel}."
-            placed = view.placed_axes(view.axes_of(self.units, prefix))
-            if channel != self.channel and any(placed):
-                axes = tuple(axis and f"{prefix}{axis}.ACS.ACT_POS" for axis in placed)
-                found.append(OtherPath(channel, axes, f"{prefix}PATH.RAPID"))
-        return tuple(found[:_MAX_OTHERS])
-
-    def _set_axes(self) -> None:
-        self._conditions = tuple(conditions_of(self.lines))
-        self.axes = view.axes_of(self.units, self.prefix)
-        self.other_paths = self._other_paths()
-        first = view.first_signals(self.units, self.lines, self.prefix)
-        logged = (name for name in self.logged if name in self.units)
-        self.scope = list(dict.fromkeys((*logged, *first)))[: view.MAX_SIGNALS]
+    def _show_channel(self, number: int, file: str) -> None:
+        transformed = number in self._transformed
+        self.channel = ShownChannel(self.description, number, file, is_transformed=transformed)
+        logged = (name for name in self.logged if name in self.description.signals)
+        self.scope = self.channel.first_signals(logged)
         self._show()
 
     @property
     def diagnostics(self) -> list[Diagnostic]:
         """The findings in lists and programs, and in the run up to here, each once."""
-        found = [*self._refused, *self.log.diagnostics]
+        found = [*self.description.diagnostics, *self.log.diagnostics]
         return list({str(one): one for one in found}.values())
-
-    def variable_rows(self, types: Sequence[tuple[str, str]]) -> list[VariableRow]:
-        """Return the V.E variables, those of the program first: read once for all browsers."""
-        known = self._rows_of
-        if known is None or known[0] is not types or known[1] is not self.lines:
-            self._rows_of = known = types, self.lines, view.variable_rows(types, self.lines)
-        return known[2]
-
-    @property
-    def prefix(self) -> str:
-        """The prefix of the shown channel's signals."""
-        return "" if self.channel == 1 else f"CH{self.channel}."
 
     @property
     def moment(self) -> Moment:
@@ -200,7 +152,7 @@ class SharedSession:
     @property
     def future_subject(self) -> FutureOf:
         """The state that the future drawn by browsers depends on."""
-        return FutureOf.of(self.session, self._serial, self._drawn_signals, self.file)
+        return FutureOf.of(self.session, self._serial, self.channel.drawn, self.channel.file)
 
     # --- commands -------------------------------------------------------------------------------
 
@@ -231,8 +183,9 @@ class SharedSession:
     def acknowledge_after(self, delay: int | None) -> None:
         """Let functions be acknowledged after this many ticks, by the CNC (0), or by a person."""
         present = float(delay != 0)
-        names = ["HLI.PLC_PRESENT"] if self.channel_count == 1 else []
-        names = names or [f"CH{n}.HLI.PLC_PRESENT" for n in range(1, self.channel_count + 1)]
+        count = self.description.channel_count
+        names = ["HLI.PLC_PRESENT"] if count == 1 else []
+        names = names or [f"CH{n}.HLI.PLC_PRESENT" for n in range(1, count + 1)]
         if (self.delay == 0) != (delay == 0):
             self.session.write(dict.fromkeys(names, present), PAGE)
         self.session.acknowledge_after(delay or None)
@@ -250,24 +203,22 @@ class SharedSession:
             raise
         with self.lock:
             old = self.session
-            self._start(session)
+            self._start(session, self.channel.number, self.channel.file)
         old.close()
         self._look_now()
 
     def choose(self, signals: Sequence[str]) -> None:
         """Show these signals in the scope; unknown ones are left out."""
         with self.lock:
-            self.scope = [name for name in signals if name in self.units]
+            self.scope = [name for name in signals if name in self.description.signals]
             self._show()
         self._look_now()
 
     def look_at(self, channel: int, file: str) -> None:
         """Show this channel and this program."""
         with self.lock:
-            self.channel, self.file = channel, file
-            self.lines = list(self.texts.get(file, ()))
             self.track.clear()
-            self._set_axes()
+            self._show_channel(channel, file)
             self._looked_at = ()
         self._look_now()
 
@@ -403,7 +354,7 @@ class SharedSession:
         """Note the events and messages of a frame."""
         self.log.note(frame, self.session.fork)
         self._turn_to(frame.branch)
-        self.track.note(frame.events, self.channel, self.file)
+        self.track.note(frame.events, self.channel.number, self.channel.file)
 
     def _turn_to(self, branch: int) -> None:
         """Switch the track to a branch; parts cut off are fetched again."""
@@ -414,7 +365,7 @@ class SharedSession:
         """Return the visible state of the session."""
         session = self.session
         is_playing = session.is_playing
-        names = self._names()
+        names = self.channel.read_signals(self.track.shown.signals)
         branch = session.branch
         state_view = session.state_view(*names)
         latest = session.latest
@@ -422,7 +373,9 @@ class SharedSession:
         self._turn_to(branch)
         is_known = branch == session.branch
         if is_known:  # the data read belongs to this branch
-            self._append_truths(state_view.tick - 1, view.truths(state_view.cycles, self.file))
+            self._append_truths(
+                state_view.tick - 1, view.truths(state_view.cycles, self.channel.file)
+            )
             if is_playing:
                 self._append(state_view.tick - 1, values)
         self._number += 1
@@ -440,11 +393,11 @@ class SharedSession:
             (*state_view.ended, *state_view.cycles),
             state_view.waiting,
             session.lateness[0],
-            state_view.channels[self.channel - 1].awaited,
+            state_view.channels[self.channel.number - 1].awaited,
             None if is_playing else session.statement,
         )
         is_fast = is_playing and session.speed is None
-        if self.path_signals and not is_fast:  # else it would be the present before it is drawn
+        if self.channel.path and not is_fast:  # else it would be the present before it is drawn
             self.ahead.request(self.future_subject, session)
         if is_playing:
             self.explainer.forget_request()
@@ -454,46 +407,16 @@ class SharedSession:
 
     # --- curves ---------------------------------------------------------------------------------
 
-    def _names(self) -> list[str]:
-        """Return the signals that are read at each look."""
-        prefix = self.prefix
-        own = [prefix + name for name in view.PANEL if prefix + name in self.units]
-        for axis in self.axes:
-            own += [f"{prefix}{axis}.ACS.ACT_POS", f"{prefix}{axis}.PCS.DIST_TO_GO"]
-        variables = view.variables_read(self.units, prefix)
-        return list(dict.fromkeys([*own, *self.track.shown.signals, *variables]))
-
     def _show(self) -> None:
         """Let the track have the columns of the scope and of the path."""
-        path = dict.fromkeys(self._drawn_signals)
-        hidden = [name for name in path if name in self.units and name not in self.scope]
+        path = dict.fromkeys(self.channel.drawn)
+        hidden = [
+            name for name in path if name in self.description.signals and name not in self.scope
+        ]
         signals = (*self.scope, *hidden)
-        units = tuple(self.units[name] for name in signals)
-        self.track.show(Shown(self._conditions, signals, units, len(hidden)))
+        units = tuple(self.description.signals[name] for name in signals)
+        self.track.show(Shown(self.channel.conditions, signals, units, len(hidden)))
         self._looked_at = ()
-
-    @property
-    def path_signals(self) -> tuple[str, ...]:
-        """The present positions of the first three axes."""
-        return tuple(f"{self.prefix}{axis}.ACS.ACT_POS" for axis in self.axes[:3])
-
-    @property
-    def tip_signals(self) -> tuple[str, ...]:
-        """The tip's positions and the tool's direction; empty where no transformation can be."""
-        if self.channel not in self._transformed or len(self.axes) < 3:
-            return ()
-        tip = (f"{self.prefix}{axis}.MCS.ACT_POS" for axis in self.axes[:3])
-        return (*tip, *(f"{self.prefix}TOOL.DIRECTION.{letter}" for letter in "XYZ"))
-
-    @property
-    def _drawn_signals(self) -> tuple[str, ...]:
-        others = (
-            name
-            for other in self.other_paths
-            for name in (*other.axes, other.rapid)
-            if name is not None
-        )
-        return (*self.path_signals, *self.tip_signals, f"{self.prefix}PATH.RAPID", *others)
 
     def _past(
         self, session: Session, first: int, end: int
@@ -513,7 +436,7 @@ class SharedSession:
         self, session: Session, first: int, end: int
     ) -> tuple[list[int], list[list[float | None]]]:
         """Return ticks that show the path of a stretch of the past, and the columns after them."""
-        names, paths = self.track.shown.signals, self._drawn_signals
+        names, paths = self.track.shown.signals, self.channel.drawn
         if not names:
             return [], []
         followed = [name for name in names if name in paths]
@@ -544,15 +467,15 @@ class SharedSession:
                 return  # something else is shown meanwhile
             self.track.rows.replace((tick, *row) for tick, row in zip(ticks, rows, strict=True))
             if not left_out:
-                self.track.marks.replace(marks_of(events, self.file))
-                self.track.blocks.replace(blocks_of(events, self.channel, self.file))
+                self.track.marks.replace(marks_of(events, self.channel.file))
+                self.track.blocks.replace(blocks_of(events, self.channel.number, self.channel.file))
             self._looked_at = key
 
     def _past_key(self, session: Session) -> tuple[object, ...]:
         """Return the state that the curves of the past depend on."""
         branch = session.branch
         end = session.branches[branch]
-        return self._serial, branch, end, self.track.shown, self.channel, self.file
+        return self._serial, branch, end, self.track.shown, self.channel.number, self.channel.file
 
     def _append(self, tick: int, values: dict[str, float | bool | str]) -> None:
         """Add a row while the session plays, unless it plays in a past that is known."""

@@ -120,7 +120,7 @@ class Commander:
 
     async def press(self, key: str) -> None:
         """Press a key of the operator's panel of the shown channel."""
-        await self.write(f"{self.shared.prefix}HLI.{key}", 1)
+        await self.write(f"{self.shared.channel.prefix}HLI.{key}", 1)
 
     # --- control --------------------------------------------------------------------------------
 

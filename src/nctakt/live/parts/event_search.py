@@ -144,8 +144,9 @@ class SearchBar:
         text, shared = self.text.casefold(), self._shared
         if not text:
             return []
-        shown = {*shared.scope, *(f"CH1.{name}" for name in shared.units)}  # each by one name
-        names = [name for name in shared.units if text in name.casefold() and name not in shown]
+        signals = shared.description.signals
+        shown = {*shared.scope, *(f"CH1.{name}" for name in signals)}  # each by one name
+        names = [name for name in signals if text in name.casefold() and name not in shown]
         word = self._texts["to_scope"]
         offered = names[:_MAX_SIGNALS_OFFERED]
         return [LogRow("signal", 0, f"{word}: {name}", signal=name) for name in offered]
@@ -153,7 +154,8 @@ class SearchBar:
     async def add_signal(self, name: str) -> None:
         """Show a signal in the scope, in place of the last one if there is no room."""
         shared = self._shared
-        if name in shared.units and name not in shared.scope and self._commander.may():
+        is_hidden = name in shared.description.signals and name not in shared.scope
+        if is_hidden and self._commander.may():
             chosen = [*shared.scope[: MAX_SIGNALS - 1], name]
             await self._commander.attempt(lambda: shared.choose(chosen))
 

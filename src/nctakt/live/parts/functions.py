@@ -76,7 +76,7 @@ class Functions:
         self._list.clear()
         with self._list:
             for channel, entry in snapshot.waiting:
-                number = f"{channel}: " if self._shared.channel_count > 1 else ""
+                number = f"{channel}: " if self._shared.description.channel_count > 1 else ""
                 ui.button(
                     f"{number}{view.function_text(entry)} ✓",
                     on_click=partial(self._acknowledge, channel, entry),

@@ -58,7 +58,7 @@ class Panel:
     # --- layout ---------------------------------------------------------------------------------
 
     def _build_positions(self) -> None:
-        self._axes = list(self._shared.axes[:_MAX_AXES])
+        self._axes = list(self._shared.channel.axes[:_MAX_AXES])
         self._positions.clear()
         with self._positions:
             with ui.element("div").classes("nc-row"):
@@ -115,10 +115,10 @@ class Panel:
 
     def show(self, snapshot: Snapshot) -> None:
         """Show the state of the panel; the numbers come with the drawings' increments."""
-        if self._axes != list(self._shared.axes[:_MAX_AXES]):
+        if self._axes != list(self._shared.channel.axes[:_MAX_AXES]):
             self._build_positions()
         values = snapshot.values
-        prefix = f"{self._shared.prefix}HLI."
+        prefix = f"{self._shared.channel.prefix}HLI."
         for word, name in SWITCHES.items():
             value = bool(values.get(prefix + name, 0))
             if not self._awaits(word, value) and self._switches[word].value != value:
@@ -152,7 +152,7 @@ class Panel:
 
     async def change_override(self, steps: int) -> None:
         """Change the override by steps of 5 %."""
-        name = f"{self._shared.prefix}HLI.OVERRIDE"
+        name = f"{self._shared.channel.prefix}HLI.OVERRIDE"
         now = float(self._shared.snapshot.values.get(name, 100.0))
         requested = max(0.0, min(_MAX_OVERRIDE, now + _STEP * steps))
         await self._commander.write(name, requested)
@@ -163,7 +163,7 @@ class Panel:
     async def _set(self, word: str, value: bool) -> None:
         """Set a switch; until a tick has taken it over, it shows the person's setting."""
         self._requested[word] = (value, _PATIENCE)
-        name = f"{self._shared.prefix}HLI.{SWITCHES[word]}"
+        name = f"{self._shared.channel.prefix}HLI.{SWITCHES[word]}"
         if not await self._commander.write(name, value):
             self._requested.pop(word, None)
 
@@ -181,7 +181,9 @@ class Panel:
 
     async def _set_override(self, event: Any) -> None:
         if isinstance(event.args, int | float):
-            await self._commander.write(f"{self._shared.prefix}HLI.OVERRIDE", float(event.args))
+            await self._commander.write(
+                f"{self._shared.channel.prefix}HLI.OVERRIDE", float(event.args)
+            )
 
     async def _chosen(self, event: Any) -> None:
         await self._choose_program(str(event.value) or None)

@@ -109,8 +109,8 @@ class ProgramCard:
         self._check_later()
 
     def _shown_document(self) -> Document:
-        own = self._documents[self._shared.channel]
-        return next((one for one in own if one.file == self._shared.file), own[0])
+        own = self._documents[self._shared.channel.number]
+        return next((one for one in own if one.file == self._shared.channel.file), own[0])
 
     # --- layout ---------------------------------------------------------------------------------
 
@@ -181,7 +181,7 @@ class ProgramCard:
     def _key(self) -> str:
         if self.plc.is_shown:
             return f"plc {self.plc.file}"
-        return f"{self._shared.channel} {self.document.file}"
+        return f"{self._shared.channel.number} {self.document.file}"
 
     def _show_choices(self) -> None:
         """Let a person choose among the programs and the files of the PLC that there are now."""
@@ -232,7 +232,7 @@ class ProgramCard:
             marks += view.finding_marks(lines, file, self.findings, language)
         if not self.is_edited:
             stops = view.stop_lines(shared.stops, file)
-            marks += view.program_marks(shared.lines, file, snapshot, self._texts, stops)
+            marks += view.program_marks(shared.channel.lines, file, snapshot, self._texts, stops)
         if marks != self._marks and self._is_ready and (self.is_checked or not self.is_edited):
             self._marks = marks
             if self._is_long:
@@ -355,7 +355,7 @@ class ProgramCard:
 
     def reveal(self, line: int, file: str = "") -> None:
         """Scroll to a line, of a file of the PLC or of the program."""
-        key = f"plc {file}" if file else f"{self._shared.channel} {self.document.file}"
+        key = f"plc {file}" if file else f"{self._shared.channel.number} {self.document.file}"
         if key != self._choice.value and key in self._choice.options:
             self._show_plc(key)
             self._choice.set_value(key)
@@ -485,17 +485,17 @@ class ProgramCard:
         if self.plc.is_shown:
             return self.plc.stop_of_cursor
         line = await self.line_of_cursor()
-        lines, file = self._shared.lines, self.document.file
+        lines, file = self._shared.channel.lines, self.document.file
         return view.stop_for(file, line, lines[line - 1]) if 1 <= line <= len(lines) else ""
 
     async def toggle_stop(self, line: int) -> None:
         """Set a stop in a line, or take those in it away."""
         shared, file = self._shared, self.document.file
-        if not self._commander.may() or not 1 <= line <= len(shared.lines):
+        if not self._commander.may() or not 1 <= line <= len(shared.channel.lines):
             return
         kept = [stop for stop in shared.stops if line not in view.stop_lines([stop], file)]
         if len(kept) == len(shared.stops):
-            kept.append(view.stop_for(file, line, shared.lines[line - 1]))
+            kept.append(view.stop_for(file, line, shared.channel.lines[line - 1]))
         await self._commander.attempt(lambda: shared.set_stops(kept))
 
     # --- text -----------------------------------------------------------------------------------
@@ -559,7 +559,7 @@ class ProgramCard:
         """Show another program, of this channel or another."""
         is_plc = self._show_plc(str(event.value))
         channel, _, file = str(event.value).partition(" ")
-        if is_plc or event.value == f"{self._shared.channel} {self._shared.file}":
+        if is_plc or event.value == f"{self._shared.channel.number} {self._shared.channel.file}":
             return
         if not self._commander.may():
             self._choice.set_value(self._key())

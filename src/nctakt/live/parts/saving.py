@@ -90,7 +90,7 @@ class Saving:
             return
         self._is_busy = True
         folder = tempfile.TemporaryDirectory(prefix="nctakt-page-", ignore_cleanup_errors=True)
-        path = Path(folder.name) / f"{Path(shared.file).stem}.{kind}"
+        path = Path(folder.name) / f"{Path(shared.channel.file).stem}.{kind}"
         ui.notify(texts["saving"], timeout=2000)
         try:
             session = shared.session

@@ -47,7 +47,7 @@ class Tour:
         self._shared = commander.shared
         self._texts = texts = commander.texts
         self._hands = hands
-        self._file = commander.shared.file
+        self._file = commander.shared.channel.file
         self._step = 0
         self._is_busy = False
         with card(texts["tour"], "nc-flat nc-tour").props("data-testid=tour") as self._card:
@@ -110,13 +110,13 @@ class Tour:
 
     def _line(self) -> int:
         """Return the line of the question, 0 if it was removed."""
-        lines = self._shared.texts.get(self._file, ())
+        lines = self._shared.description.texts.get(self._file, ())
         return next((number for number, line in enumerate(lines, 1) if _CONDITION in line), 0)
 
     def _go_to_step(self, name: str) -> int | None:
         """Take the session to a step; return the tick of the question, ``None`` if it is lost."""
         shared, file = self._shared, self._file
-        if (shared.channel, shared.file) != (1, file):
+        if (shared.channel.number, shared.channel.file) != (1, file):
             shared.look_at(1, file)
         found: list[int | None] = []
         shared.do(lambda session: found.append(reach_step(session, file, self._line(), name)))

@@ -31,7 +31,7 @@ class Variables:
         self._shared = commander.shared
         self._texts = commander.texts
         self._types = checker.types
-        self._rows = self._shared.variable_rows(self._types)
+        self._rows = self._shared.channel.variable_rows(self._types)
         self._fields: dict[str, Any] = {}
         self._sliders: dict[str, Any] = {}
         self._busy: set[str] = set()
@@ -50,7 +50,7 @@ class Variables:
 
     def show_session(self) -> None:
         """Show the variables that a new program names first."""
-        self._rows = self._shared.variable_rows(self._types)
+        self._rows = self._shared.channel.variable_rows(self._types)
         self._show_rows(self._search.value or "")
 
     def focus_search(self) -> None:
@@ -114,7 +114,7 @@ class Variables:
     def show(self, snapshot: Snapshot) -> None:
         """Show the values of a tick; fields that a person is in stay."""
         for name, field in self._fields.items():
-            value = snapshot.values.get(self._shared.prefix + name)
+            value = snapshot.values.get(self._shared.channel.prefix + name)
             if value is None or name in self._busy:
                 continue
             if isinstance(field, ui.switch):
@@ -136,7 +136,7 @@ class Variables:
     # --- settings -------------------------------------------------------------------------------
 
     async def _write(self, name: str, value: float | bool) -> None:
-        await self._commander.write(self._shared.prefix + name, value)
+        await self._commander.write(self._shared.channel.prefix + name, value)
 
     async def _turn(self, name: str, event: Any) -> None:
         await self._write(name, bool(event.args))
@@ -144,7 +144,7 @@ class Variables:
     async def _commit(self, name: str, field: Any, _: Any = None) -> None:
         """Write the content of a field, unless a person has only visited it."""
         self._busy.discard(name)
-        now = self._shared.snapshot.values.get(self._shared.prefix + name)
+        now = self._shared.snapshot.values.get(self._shared.channel.prefix + name)
         if field.value is not None and float(field.value) != now:
             await self._write(name, float(field.value))
 

@@ -336,9 +336,9 @@ def test_the_example_in_c(tmp_path: Path, capsys: Capture) -> None:
     with subprocess.Popen([program, f"/{name}"], stdout=subprocess.PIPE, text=True) as process:
         run(*words, "--cycles", "25", "--quiet")
         reported = process.communicate(timeout=30)[0]
-    done = counts(capsys.readouterr().out, name)["done"]
-    # A wake-up that was given and not yet taken at the end may still be taken.
-    assert 1 <= done <= int(reported.split()[1]) <= done + 1
+    found = counts(capsys.readouterr().out, name)
+    # Wake-ups that were given and not yet taken at the end may still be taken.
+    assert 1 <= found["done"] <= int(reported.split()[1]) <= found["due"] - found["lost"]
 
 
 def test_semaphore_of_somebody_else(tmp_path: Path, capsys: Capture) -> None:
